@@ -1,0 +1,1 @@
+//! Closed B-spline curves: basis, evaluation, arc length, sampling, checks.

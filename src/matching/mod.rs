@@ -1,0 +1,1 @@
+//! Matching of two closed curves by ruling lines.

@@ -1,0 +1,1 @@
+//! Materials, compositions (points of the simplex) and the mixing of colours.

@@ -1,0 +1,1 @@
+//! What a matching carries: ruled band, in-between curves, unit cells, composition.

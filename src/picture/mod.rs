@@ -1,0 +1,1 @@
+//! Pictures: a display list, painted on pixels or written as SVG.

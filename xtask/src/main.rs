@@ -1,0 +1,3 @@
+//! Build helper: writes the JavaScript bindings of a compiled module.
+
+fn main() {}
