@@ -1,0 +1,121 @@
+//! What a set of lines is worth, and whether it keeps the constraints.
+
+use super::{Problem, RulingLine, blocking_edge};
+use crate::geom::segments_meet;
+
+/// Figures of a set of ruling lines.
+///
+/// A sum grows with the number of lines and shrinks with the square of the size; compare `eta`, which does neither.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Totals {
+    /// Number of lines.
+    pub count: usize,
+    /// Sum of their values f (Eq. 10 of the paper, over the lines kept).
+    pub sum: f64,
+    /// Mean of their values; `None` without lines.
+    pub mean: Option<f64>,
+    /// J: the integral of f along the matching, the mean over both curves of their share of arc length, by the trapezoid
+    /// rule between neighbouring lines; `None` when a vertex has no line.
+    pub integral: Option<f64>,
+    /// J over its upper bound by the same rule, at most 1; `None` when J is, or when the bound is not positive.
+    pub eta: Option<f64>,
+    /// Pairs of lines that cross, counted by looking at every pair.
+    pub crossings: usize,
+    /// Lines that meet a polygon, counted by looking at every edge.
+    pub blocked: usize,
+    /// Vertices of each outline without a line.
+    pub uncovered: [Vec<usize>; 2],
+}
+
+/// An upper bound of J over every matching of the same samples: each vertex with its best visible partner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bound(f64);
+
+impl Bound {
+    /// Computes the bound from the greatest value of a visible line at each vertex of each outline.
+    #[must_use]
+    pub fn new(problem: &Problem, best: &[Vec<f64>; 2]) -> Self {
+        let halves = problem.outlines().iter().zip(best).map(|(outline, best)| {
+            let next = best.iter().cycle().skip(1);
+            let ends = best.iter().zip(next).map(|(f, g)| (f + g) / 2.0);
+            outline.shares.iter().zip(ends).map(|(share, f)| share * f).sum::<f64>() / 2.0
+        });
+        Self(halves.sum())
+    }
+
+    /// The bound itself; minus infinity when a vertex sees nothing.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        self.0
+    }
+}
+
+/// Measures lines given in cyclic order (ascending `from`, then ascending `lifted`).
+///
+/// Crossings and blocked lines are counted on the lines as segments, independently of how the lines were found.
+#[must_use]
+pub fn measure(problem: &Problem, lines: &[RulingLine], bound: Bound) -> Totals {
+    let sum: f64 = lines.iter().map(|line| line.value).sum();
+    let uncovered = uncovered(problem, lines);
+    let covered = uncovered.iter().all(Vec::is_empty);
+    let integral = covered.then(|| integral(problem, lines));
+    Totals {
+        count: lines.len(),
+        sum,
+        mean: (!lines.is_empty()).then(|| sum / lines.len() as f64),
+        integral,
+        eta: integral.filter(|_| bound.value() > 0.0).map(|integral| integral / bound.value()),
+        crossings: crossings(problem, lines),
+        blocked: lines
+            .iter()
+            .filter(|line| blocking_edge(problem.outlines(), line.from, line.to).is_some())
+            .count(),
+        uncovered,
+    }
+}
+
+fn uncovered(problem: &Problem, lines: &[RulingLine]) -> [Vec<usize>; 2] {
+    let (a, b) = problem.counts();
+    let mut covered = [vec![false; a], vec![false; b]];
+    for line in lines {
+        covered[0][line.from] = true;
+        covered[1][line.to] = true;
+    }
+    covered.map(|covered| (0..covered.len()).filter(|&vertex| !covered[vertex]).collect())
+}
+
+/// J of lines that cover every vertex: a step from one line to the next moves on by at most one edge on each outline, and
+/// weighs half the share of arc length of each edge passed.
+fn integral(problem: &Problem, lines: &[RulingLine]) -> f64 {
+    let (a, b) = problem.counts();
+    let [first, second] = problem.outlines();
+    let next = lines.iter().cycle().skip(1);
+    lines
+        .iter()
+        .zip(next)
+        .map(|(line, next)| {
+            let steps = |from: usize, to: usize, n: usize| (to + n - from) % n;
+            let on_first = (0..steps(line.from, next.from, a)).map(|k| first.shares[(line.from + k) % a]);
+            let on_second = (0..steps(line.to, next.to, b)).map(|k| second.shares[(line.to + k) % b]);
+            let mass = (on_first.sum::<f64>() + on_second.sum::<f64>()) / 2.0;
+            mass * (line.value + next.value) / 2.0
+        })
+        .sum()
+}
+
+fn crossings(problem: &Problem, lines: &[RulingLine]) -> usize {
+    let [first, second] = problem.outlines();
+    let ends = |line: &RulingLine| (first.points[line.from], second.points[line.to]);
+    let cross = |line: &RulingLine, other: &RulingLine| {
+        let ((p, q), (r, s)) = (ends(line), ends(other));
+        match (line.from == other.from, line.to == other.to) {
+            (true, true) => true,
+            // Lines from a common end overlap only when the end of one lies on the other.
+            (true, false) => segments_meet(p, q, s, s) || segments_meet(r, s, q, q),
+            (false, true) => segments_meet(p, q, r, r) || segments_meet(r, s, p, p),
+            (false, false) => segments_meet(p, q, r, s),
+        }
+    };
+    let later = |k: usize| lines[k + 1..].iter();
+    (0..lines.len()).map(|k| later(k).filter(|other| cross(&lines[k], other)).count()).sum()
+}

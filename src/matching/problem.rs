@@ -1,0 +1,246 @@
+//! Two outlines made ready for matching.
+
+use super::value::End;
+use super::{Outline, Weights, round_to_40_bits};
+use crate::geom::{
+    Bounds, Location, deepest_point, first_contact, first_self_contact, locate, segment_crossing, signed_area,
+};
+use glam::DVec2;
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+
+/// Which polygon lies inside the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// The first curve is the inner one.
+    FirstInside,
+    /// The second curve is the inner one.
+    SecondInside,
+}
+
+/// Why two outlines cannot be matched at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ProblemError {
+    /// The polygon of one outline meets itself.
+    NotSimple {
+        /// 0 for the first curve, 1 for the second.
+        outline: usize,
+        /// A place where it does.
+        at: DVec2,
+    },
+    /// The polygon of one outline runs clockwise or has no area.
+    NotCounterClockwise {
+        /// 0 for the first curve, 1 for the second.
+        outline: usize,
+    },
+    /// The two polygons meet.
+    Meet {
+        /// A place where they do.
+        at: DVec2,
+    },
+    /// Neither polygon lies inside the other.
+    Apart,
+}
+
+impl fmt::Display for ProblemError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotSimple { outline, at } => {
+                write!(
+                    f,
+                    "the polygon sampled from curve {outline} meets itself near ({:.3}, {:.3})",
+                    at.x, at.y
+                )
+            }
+            Self::NotCounterClockwise { outline } => {
+                write!(f, "the polygon sampled from curve {outline} does not run counter-clockwise")
+            }
+            Self::Meet { at } => write!(f, "the sampled polygons meet near ({:.3}, {:.3})", at.x, at.y),
+            Self::Apart => write!(f, "neither curve lies inside the other"),
+        }
+    }
+}
+
+impl std::error::Error for ProblemError {}
+
+/// Two outlines, one inside the other, with the weights of their ruling lines.
+///
+/// Guarantees: both polygons are simple and counter-clockwise, they do not meet, and one lies inside the other.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    outlines: [Outline; 2],
+    weights: Weights,
+    gap: f64,
+    layout: Layout,
+    shortest: f64,
+    angles: [Vec<f64>; 2],
+}
+
+/// Lengths below this multiple of the diagonal count as this: keeps the values of touching points finite.
+const SHORTEST: f64 = 1e-9;
+
+impl Problem {
+    /// Checks two outlines and prepares them; `gap` is the distance between their planes, at least 0.
+    ///
+    /// # Errors
+    /// When a polygon is not simple or not counter-clockwise, when the two meet, or when neither contains the other. The
+    /// projections of curves at different heights may not cross either.
+    pub fn new(outlines: [Outline; 2], weights: Weights, gap: f64) -> Result<Self, ProblemError> {
+        for (outline, Outline { points, .. }) in outlines.iter().enumerate() {
+            if let Some((i, k)) = first_self_contact(points) {
+                return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
+            }
+            if signed_area(points) <= 0.0 {
+                return Err(ProblemError::NotCounterClockwise { outline });
+            }
+        }
+        let (first, second) = (&outlines[0].points, &outlines[1].points);
+        if let Some((i, k)) = first_contact(first, second) {
+            return Err(ProblemError::Meet { at: meeting_place(first, i, second, k) });
+        }
+        let layout = if locate(second, first[0]) == Location::Inside {
+            Layout::FirstInside
+        } else if locate(first, second[0]) == Location::Inside {
+            Layout::SecondInside
+        } else {
+            return Err(ProblemError::Apart);
+        };
+        let inner = if layout == Layout::FirstInside { 0 } else { 1 };
+        let center = deepest_point(&outlines[inner].points)
+            .ok_or(ProblemError::NotCounterClockwise { outline: inner })?;
+        let angles = [angles_about(center, first), angles_about(center, second)];
+        let bounds = Bounds::of(first.iter().chain(second).copied());
+        let diagonal = bounds.map_or(0.0, Bounds::diagonal);
+        Ok(Self { outlines, weights, gap, layout, shortest: SHORTEST * diagonal, angles })
+    }
+
+    /// The two outlines.
+    #[must_use]
+    pub fn outlines(&self) -> &[Outline; 2] {
+        &self.outlines
+    }
+
+    /// Numbers of vertices (a, b) of the first and the second outline.
+    #[must_use]
+    pub fn counts(&self) -> (usize, usize) {
+        (self.outlines[0].len(), self.outlines[1].len())
+    }
+
+    /// Which outline lies inside the other.
+    #[must_use]
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    /// Value f of the line from vertex `from` of the first outline to vertex `to` of the second.
+    #[must_use]
+    pub fn value(&self, from: usize, to: usize) -> f64 {
+        self.weights.value(self.end(0, from), self.end(1, to), self.gap, self.shortest)
+    }
+
+    /// Product of the outward unit normals at the ends of a line, from -1 to 1.
+    #[must_use]
+    pub fn cosine(&self, from: usize, to: usize) -> f64 {
+        self.outlines[0].normals[from].dot(self.outlines[1].normals[to])
+    }
+
+    /// Length of a line, with the gap between the planes.
+    #[must_use]
+    pub fn length(&self, from: usize, to: usize) -> f64 {
+        (self.outlines[1].points[to] - self.outlines[0].points[from]).length().hypot(self.gap)
+    }
+
+    /// Rank of a line in the greedy order: higher values come first, and among equal ones (to 40 significant bits) the
+    /// smaller second number, which is the length where negative products are clamped and 0 elsewhere.
+    pub(super) fn rank(&self, from: usize, to: usize, value: f64) -> (f64, f64) {
+        let tie = match self.weights.negative {
+            super::NegativeProducts::Clamp => round_to_40_bits(self.length(from, to)),
+            super::NegativeProducts::Signed | super::NegativeProducts::Half => 0.0,
+        };
+        (round_to_40_bits(value), tie)
+    }
+
+    /// Lift of a line that stays between the polygons: the vertex of the second outline counted on through its laps, such
+    /// that lines do not cross if and only if their lifts ascend together round the band.
+    ///
+    /// Both ends have an angle about a point inside the inner polygon, unwrapped along their outline. The line subtends less
+    /// than half a turn there, so the number of whole turns between the two angles is an integer that rounding finds.
+    pub(super) fn lift(&self, from: usize, to: usize) -> i64 {
+        let laps = ((self.angles[0][from] - self.angles[1][to]) / TAU).round();
+        to as i64 + self.counts().1 as i64 * laps as i64
+    }
+
+    fn end(&self, outline: usize, vertex: usize) -> End {
+        let outline = &self.outlines[outline];
+        End { point: outline.points[vertex], normal: outline.normals[vertex] }
+    }
+}
+
+fn meeting_place(first: &[DVec2], i: usize, second: &[DVec2], k: usize) -> DVec2 {
+    let edge = |polygon: &[DVec2], i: usize| (polygon[i], polygon[(i + 1) % polygon.len()]);
+    let ((a, b), (c, d)) = (edge(first, i), edge(second, k));
+    segment_crossing(a, b, c, d)
+}
+
+/// Angles of the vertices about `center`, unwrapped along the polygon.
+fn angles_about(center: DVec2, polygon: &[DVec2]) -> Vec<f64> {
+    let mut last = 0.0;
+    polygon
+        .iter()
+        .map(|&p| {
+            let angle = (p - center).to_angle();
+            let turn = angle - last;
+            last += turn - TAU * ((turn + PI) / TAU).floor();
+            last
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec2;
+
+    fn circle(radius: f64, count: usize, center: DVec2) -> Outline {
+        let normals: Vec<DVec2> =
+            (0..count).map(|i| DVec2::from_angle(TAU * i as f64 / count as f64)).collect();
+        Outline::new(normals.iter().map(|&n| center + radius * n).collect(), normals)
+    }
+
+    fn problem(first: Outline, second: Outline) -> Result<Problem, ProblemError> {
+        Problem::new([first, second], Weights::default(), 0.0)
+    }
+
+    #[test]
+    fn layouts_of_nested_circles() {
+        let inner = circle(1.0, 12, DVec2::ZERO);
+        let outer = circle(2.0, 15, dvec2(0.3, 0.1));
+        let layout = |a: &Outline, b: &Outline| problem(a.clone(), b.clone()).map(|p| p.layout());
+        assert_eq!(layout(&inner, &outer), Ok(Layout::FirstInside));
+        assert_eq!(layout(&outer, &inner), Ok(Layout::SecondInside));
+    }
+
+    #[test]
+    fn what_cannot_be_matched_is_told_apart() {
+        let unit = || circle(1.0, 12, DVec2::ZERO);
+        assert_eq!(problem(unit(), circle(1.0, 12, dvec2(5.0, 0.0))).err(), Some(ProblemError::Apart));
+        let meets = problem(unit(), circle(1.0, 12, dvec2(1.0, 0.0)));
+        assert!(matches!(meets, Err(ProblemError::Meet { at }) if at.length() < 1.1));
+        let mut clockwise = circle(2.0, 12, DVec2::ZERO);
+        clockwise.points.reverse();
+        let expected = Some(ProblemError::NotCounterClockwise { outline: 1 });
+        assert_eq!(problem(unit(), clockwise).err(), expected);
+        let mut crossed = circle(2.0, 12, DVec2::ZERO);
+        crossed.points.swap(2, 3);
+        assert!(matches!(problem(unit(), crossed), Err(ProblemError::NotSimple { outline: 1, .. })));
+    }
+
+    #[test]
+    fn lifts_follow_the_line_across_the_seams() {
+        let problem = problem(circle(1.0, 12, DVec2::ZERO), circle(2.0, 12, DVec2::ZERO));
+        let problem = problem.expect("nested circles");
+        assert_eq!(problem.lift(3, 3), 3);
+        assert_eq!(problem.lift(0, 11), -1, "one step back from the seam");
+        assert_eq!(problem.lift(11, 0), 12, "one step on beyond it");
+    }
+}

@@ -1,0 +1,67 @@
+//! The lines that one vertex could have, best first.
+
+use super::Problem;
+use super::visibility::{Sight, Wedge};
+use super::{Layout, RulingLine};
+use std::cmp::Ordering;
+
+/// A visible line with its place in the greedy order.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    rank: (f64, f64),
+    pub(super) line: RulingLine,
+}
+
+impl Candidate {
+    /// Orders the better candidate as the greater one: by value, then by the tie rule, then by the lower vertices.
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        let vertices = |c: &Self| (c.line.from, c.line.to);
+        self.rank
+            .0
+            .total_cmp(&other.rank.0)
+            .then_with(|| other.rank.1.total_cmp(&self.rank.1))
+            .then_with(|| vertices(other).cmp(&vertices(self)))
+    }
+}
+
+/// The wedges at all vertices of both outlines, which tell most blocked lines at a glance.
+#[derive(Debug, Clone)]
+pub(super) struct Wedges([Vec<Wedge>; 2]);
+
+impl Wedges {
+    pub(super) fn new(problem: &Problem) -> Self {
+        Self(
+            problem
+                .outlines()
+                .each_ref()
+                .map(|outline| (0..outline.len()).map(|vertex| Wedge::new(outline, vertex)).collect()),
+        )
+    }
+
+    /// Tells whether a line leaves one of its ends away from the band: it then meets a polygon farther on.
+    fn leave_band(&self, problem: &Problem, from: usize, to: usize) -> bool {
+        let ends = [problem.outlines()[0].points[from], problem.outlines()[1].points[to]];
+        let wedges = [&self.0[0][from], &self.0[1][to]];
+        let inner = usize::from(problem.layout() == Layout::SecondInside);
+        wedges[inner].points_inside(ends[1 - inner]) || wedges[1 - inner].points_outside(ends[inner])
+    }
+}
+
+/// Returns every line that vertex `from` of the first outline could have, the best last.
+pub(super) fn visible_lines(
+    problem: &Problem,
+    wedges: &Wedges,
+    sight: &mut Sight,
+    from: usize,
+) -> Vec<Candidate> {
+    let mut candidates: Vec<Candidate> = (0..problem.counts().1)
+        .filter(|&to| !wedges.leave_band(problem, from, to) && sight.is_clear(from, to))
+        .map(|to| {
+            let value = problem.value(from, to);
+            let line = RulingLine { from, to, lifted: problem.lift(from, to), value };
+            Candidate { rank: problem.rank(from, to, value), line }
+        })
+        .collect();
+    candidates.sort_unstable_by(Candidate::compare);
+    candidates
+}

@@ -1,0 +1,21 @@
+//! Helpers shared by the end-to-end tests.
+
+#![allow(dead_code, reason = "each test program uses a part of them")]
+
+pub mod outlines;
+
+use proptest::strategy::Strategy;
+use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
+
+/// The seed of every property test; a failing run prints it with the smallest case.
+pub const SEED: u64 = 20_261_123;
+
+/// Runs a property on `cases` values of a strategy, always the same ones.
+pub fn seeded<S: Strategy>(cases: u32, strategy: &S, property: impl FnMut(S::Value) -> TestCaseResult) {
+    let property = std::cell::RefCell::new(property);
+    let config =
+        Config { cases, rng_seed: RngSeed::Fixed(SEED), failure_persistence: None, ..Config::default() };
+    TestRunner::new(config)
+        .run(strategy, |value| (property.borrow_mut())(value))
+        .unwrap_or_else(|failure| panic!("seed {SEED}: {failure}"));
+}
