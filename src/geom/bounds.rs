@@ -17,8 +17,14 @@ impl Bounds {
     pub fn of(points: impl IntoIterator<Item = DVec2>) -> Option<Self> {
         let mut points = points.into_iter();
         let first = points.next()?;
+        Some(Self::around(first, points))
+    }
+
+    /// Returns the smallest box that holds the first point and the others.
+    #[must_use]
+    pub fn around(first: DVec2, others: impl IntoIterator<Item = DVec2>) -> Self {
         let start = Self { min: first, max: first };
-        Some(points.fold(start, |b, p| Self { min: b.min.min(p), max: b.max.max(p) }))
+        others.into_iter().fold(start, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
     }
 
     /// Returns the smallest box that holds both boxes.
@@ -31,6 +37,12 @@ impl Bounds {
     #[must_use]
     pub fn meets(self, other: Self) -> bool {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
+    /// Tells whether the boxes are farther apart than `distance` along an axis.
+    #[must_use]
+    pub fn is_beyond(self, other: Self, distance: f64) -> bool {
+        (self.min - other.max).max(other.min - self.max).max_element() > distance
     }
 
     /// Length of the diagonal, the scale that tolerances refer to.

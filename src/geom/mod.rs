@@ -1,13 +1,15 @@
-//! Plane geometry: bounds, exact predicates, polygons, searches over segments.
+//! Plane geometry: bounds, exact predicates, polygons, quadrature, searches over segments.
 
 mod bounds;
 mod deepest_point;
 mod orient;
 mod polygon;
+mod quadrature;
 mod segment_grid;
 
 pub use bounds::Bounds;
 pub use deepest_point::deepest_point;
 pub use orient::{orient2d, segment_crossing, segments_meet};
 pub use polygon::{Location, first_contact, first_self_contact, locate, signed_area};
+pub use quadrature::{GAUSS_16, GaussLegendre};
 pub use segment_grid::SegmentGrid;
