@@ -1,1 +1,29 @@
 //! Closed B-spline curves: basis, evaluation, arc length, sampling, checks.
+//!
+//! A curve is checked once, in [`ClosedBSpline::new`], and never changes; operations give new curves. Parameters
+//! are in the knot domain `[lo, hi)` of the curve and are wrapped into it. Questions that need pieces (area,
+//! lengths, nearest point, intersections) turn every knot span into a Bezier curve and work in coordinates
+//! about the middle of the curve, so a shape far from the origin loses nothing.
+
+mod arc_length;
+mod basis;
+mod bezier;
+mod closed_bspline;
+mod cone;
+mod corner;
+mod error;
+mod flatten;
+mod hull_tree;
+mod insert_knot;
+mod knots;
+mod meeting;
+mod nearest;
+mod sample;
+
+pub use arc_length::ArcLength;
+pub use closed_bspline::{ClosedBSpline, Form};
+pub use corner::Corner;
+pub use error::CurveError;
+pub use meeting::Meeting;
+pub use nearest::Nearest;
+pub use sample::{Samples, Scheme, sample};
