@@ -1,0 +1,9 @@
+//! Closed B-spline curves, from the outside: values, lengths, nearest points, meetings, refusals, random curves.
+
+mod lengths;
+mod meetings;
+mod nearest;
+mod random;
+mod refusals;
+mod support;
+mod values;
