@@ -94,7 +94,7 @@ impl ClosedBSpline {
             let cusp = cusp(piece);
             found.extend(cusp.and_then(|(u, tangents)| self.corner(u, tangents)));
         }
-        found.sort_by(|a, b| a.u.total_cmp(&b.u));
+        found.sort_unstable_by(|a, b| a.u.total_cmp(&b.u));
         found
     }
 

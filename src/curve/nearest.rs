@@ -88,7 +88,7 @@ pub(super) fn nearest_of(pieces: Vec<Bezier>) -> Candidate {
         best.improve(&patch.piece, 0.0);
         best.improve(&patch.piece, 1.0);
     }
-    open.sort_by(|a, b| b.lower_bound.total_cmp(&a.lower_bound));
+    open.sort_unstable_by(|a, b| b.lower_bound.total_cmp(&a.lower_bound));
     while let Some(patch) = open.pop() {
         let noise = NOISE * patch.distances.iter().copied().fold(0.0, f64::max).min(best.distance_sq);
         if patch.lower_bound >= best.distance_sq - noise {

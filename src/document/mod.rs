@@ -1,1 +1,32 @@
-//! The document format: reading, checking, defaults.
+//! The document format: reading, checking, defaults, and the solution of a document.
+//!
+//! A document holds exact geometry and composition rules; everything shown is computed from it. [`read`] turns JSON into a
+//! [`CurvesDocument`] or says which field is wrong; [`Model`] holds its curves ready for evaluation; [`Solve`] is
+//! the job that matches them. The format itself is described in `docs/format.md`.
+
+mod diagnostic;
+mod error;
+mod fields;
+mod insert_point;
+mod json;
+mod model;
+mod node;
+mod read;
+mod schema;
+mod solve;
+
+pub use diagnostic::Diagnostic;
+pub use error::{Code, DocumentError};
+pub(crate) use fields::layers;
+pub use insert_point::insert_point;
+pub use json::Json;
+pub use model::Model;
+pub(crate) use node::Node;
+pub use read::{LONGEST_TEXT, check_length, read};
+#[cfg(not(target_arch = "wasm32"))]
+pub use read::{read_text, write_text};
+pub use schema::{
+    Blend, BlendKind, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LayerName, MatchingSpec,
+    MaterialSpec, Method, NegativeMode, Policy, Sampling, SamplingScheme, View,
+};
+pub use solve::{Outcome, Solution, Solve};

@@ -1,5 +1,6 @@
 //! One sampled curve.
 
+use crate::curve::Samples;
 use glam::DVec2;
 
 /// A closed curve sampled into a counter-clockwise polygon; the vertex at the seam counts once.
@@ -44,5 +45,13 @@ impl Outline {
     #[must_use]
     pub fn edge(&self, i: usize) -> (DVec2, DVec2) {
         (self.points[i], self.points[(i + 1) % self.len()])
+    }
+}
+impl From<&Samples> for Outline {
+    fn from(samples: &Samples) -> Self {
+        let n = samples.arc.len();
+        let end = |i: usize| if i + 1 < n { samples.arc[i + 1] } else { samples.arc[0] + samples.length };
+        let shares = (0..n).map(|i| (end(i) - samples.arc[i]) / samples.length).collect();
+        Self { points: samples.points.clone(), normals: samples.normals.clone(), shares }
     }
 }

@@ -1,1 +1,17 @@
 //! The browser boundary: conversions only.
+//!
+//! Documents and options come in as JSON text, which the host's own parser reads; results go out as plain objects and typed
+//! arrays. `js/` wraps these functions and is the interface to use.
+
+mod engine;
+mod error;
+mod json;
+mod results;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Runs once when the module is loaded: a panic then says on the console where it happened before the module traps.
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}

@@ -1,0 +1,170 @@
+import { FUNCTIONS } from "./api.js";
+import { DirectrixError } from "./errors.js";
+
+/** @typedef {(typeof FUNCTIONS)[number]} Name */
+/**
+ * @typedef {object} Pending
+ * @property {Name} name
+ * @property {any[]} args
+ * @property {(value: any) => void} resolve
+ * @property {(error: unknown) => void} reject
+ * @property {((progress: number) => void) | undefined} onprogress
+ */
+
+/**
+ * Starts a module worker and returns the functions of `load()` as promises. See docs/api.md.
+ *
+ * @param {import("./directrix.js").ConnectOptions} [options]
+ * @returns {Promise<import("./directrix.js").Connection>}
+ */
+export async function connect(options = {}) {
+  const client = new Client(options);
+  await client.opened;
+  const functions = FUNCTIONS.map((name) => [name, (/** @type {any[]} */ ...args) => client.call(name, args)]);
+  return {
+    .../** @type {any} */ (Object.fromEntries(functions)),
+    close: () => client.close(),
+    set onrestart(/** @type {(() => void) | undefined} */ listener) {
+      client.onrestart = listener;
+    },
+  };
+}
+
+/** The worker, the calls that wait for it, and its restart after a trap. */
+class Client {
+  /** @type {(() => void) | undefined} */
+  onrestart;
+  /** @type {Map<number, Pending>} */
+  #pending = new Map();
+  #nextId = 1;
+  /** @type {Worker} */
+  #worker;
+  #isClosed = false;
+  #options;
+
+  /** @param {import("./directrix.js").ConnectOptions} options */
+  constructor(options) {
+    this.#options = options;
+    const { promise, resolve, reject } = withResolvers();
+    /** @type {Promise<void>} */
+    this.opened = promise;
+    this.#worker = this.#start(resolve, reject);
+  }
+
+  /**
+   * @param {Name} name
+   * @param {any[]} args the last may be `{ signal, onprogress }`
+   */
+  call(name, args) {
+    const last = args.at(-1);
+    const hasControl = args.length > 1 && last !== null && typeof last === "object" && isControl(last);
+    const { signal, onprogress } = hasControl ? args.pop() : {};
+    if (this.#isClosed) return Promise.reject(new DirectrixError("closed", "", "the connection is closed"));
+    if (signal?.aborted) return Promise.reject(signal.reason);
+    const id = this.#nextId++;
+    return new Promise((resolve, reject) => {
+      this.#pending.set(id, { name, args, resolve, reject, onprogress });
+      signal?.addEventListener("abort", () => this.#cancel(id, signal.reason), { once: true });
+      try {
+        this.#worker.postMessage({ type: "call", id, name, args });
+      } catch (error) {
+        this.#settle(id)?.reject(new DirectrixError("type", "", `the document cannot be sent: ${error}`));
+      }
+    });
+  }
+
+  close() {
+    this.#isClosed = true;
+    this.#worker.terminate();
+    for (const id of [...this.#pending.keys()]) {
+      this.#settle(id)?.reject(new DirectrixError("closed", "", "the connection was closed"));
+    }
+  }
+
+  /**
+   * @param {() => void} ready
+   * @param {(error: unknown) => void} failed
+   */
+  #start(ready, failed) {
+    const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "directrix" });
+    const fail = (/** @type {unknown} */ error) => {
+      failed(error);
+      for (const id of [...this.#pending.keys()]) this.#settle(id)?.reject(error);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      fail(new DirectrixError("failed", "", event.message || "the worker could not be started"));
+    };
+    worker.onmessage = ({ data }) => {
+      if (data.type === "ready") ready();
+      else if (data.type === "failed") fail(revive(data.error));
+      else this.#receive(data);
+    };
+    worker.postMessage({ type: "open", options: this.#options });
+    return worker;
+  }
+
+  /** @param {any} message */
+  #receive({ type, id, value, progress, error }) {
+    if (type === "progress") {
+      this.#pending.get(id)?.onprogress?.(progress);
+    } else if (type === "result") {
+      this.#settle(id)?.resolve(value);
+    } else {
+      this.#settle(id)?.reject(revive(error));
+      if (error.code === "trap") this.#restart();
+    }
+  }
+
+  /** A module that trapped answers nothing more: the calls that wait go to a new worker. */
+  #restart() {
+    this.#worker.terminate();
+    this.#worker = this.#start(
+      () => this.onrestart?.(),
+      () => {},
+    );
+    for (const [id, { name, args }] of this.#pending) this.#worker.postMessage({ type: "call", id, name, args });
+  }
+
+  /**
+   * @param {number} id
+   * @param {unknown} reason
+   */
+  #cancel(id, reason) {
+    const pending = this.#settle(id);
+    if (!pending) return;
+    this.#worker.postMessage({ type: "cancel", id });
+    pending.reject(reason);
+  }
+
+  /** @param {number} id */
+  #settle(id) {
+    const pending = this.#pending.get(id);
+    this.#pending.delete(id);
+    return pending;
+  }
+}
+
+/** @param {object} value */
+function isControl(value) {
+  return "signal" in value || "onprogress" in value;
+}
+
+/** @param {{ code: string, path: string, message: string, at?: [number, number] }} error */
+function revive({ code, path, message, at }) {
+  return new DirectrixError(code, path, message, at);
+}
+
+function withResolvers() {
+  /** @type {() => void} */
+  let resolve = () => {};
+  /** @type {(error: unknown) => void} */
+  let reject = () => {};
+  const promise = /** @type {Promise<void>} */ (
+    new Promise((done, failed) => {
+      resolve = () => done(undefined);
+      reject = failed;
+    })
+  );
+  return { promise, resolve, reject };
+}

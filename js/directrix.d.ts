@@ -1,0 +1,286 @@
+/** A point [x, y] in document units, y up. */
+export type Point = [number, number];
+
+/** A material of a document. */
+export interface Material {
+  name: string;
+  /** `#rrggbb` */
+  color: string;
+  /** Whether it stands for empty space; default false. */
+  void?: boolean;
+}
+
+/** The composition at one place of a curve. */
+export interface CompositionKey {
+  /** Fraction of the knot domain of the curve as drawn, in [0, 1). */
+  at: number;
+  /** One fraction for each material; they sum to 1. */
+  mix: number[];
+}
+
+/** A closed planar B-spline. */
+export interface Curve {
+  name?: string;
+  /** 2 to 32. */
+  degree: number;
+  form: "periodic" | "clamped" | "open";
+  points: Point[];
+  knots?: number[];
+  height?: number;
+  composition?: CompositionKey[];
+}
+
+export type LayerName =
+  | "material"
+  | "unitCells"
+  | "inBetweens"
+  | "rulingLines"
+  | "samples"
+  | "unconnected"
+  | "controlPoints"
+  | "normals"
+  | "grid"
+  | "value";
+
+/** A curves document; docs/format.md defines every field. */
+export interface CurvesDocument {
+  directrix: 1;
+  kind: "curves";
+  title?: string;
+  unit?: string;
+  materials?: Material[];
+  curves: Curve[];
+  sampling?: { scheme?: "parameter" | "arc-length" | "adaptive"; counts?: [number, number] };
+  matching: {
+    method: "exact" | "greedy" | "one-per-vertex" | "shift" | "parameter";
+    normalWeight?: number;
+    distanceWeight?: number;
+    alignmentWeight?: number;
+    negative?: "signed" | "clamp" | "half";
+    oneToOne?: boolean;
+    policy?: "strict" | "repair";
+    pins?: { u: number; v: number }[];
+    printed?: string[];
+  };
+  blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
+  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number };
+}
+
+/** A document as an object, or its JSON text. */
+export type DocumentInput = CurvesDocument | string;
+
+/** A remark on the geometry, or why there is no complete matching. */
+export interface Diagnostic {
+  code: "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  message: string;
+  curve?: number;
+  vertices?: number[];
+  lines?: number[];
+  parameter?: number;
+  /** Degrees. */
+  turn?: number;
+  at?: Point;
+}
+
+/** Samples of one counter-clockwise curve, by ascending parameter; the vertex at the seam counts once. */
+export interface Samples {
+  parameters: number[];
+  points: Point[];
+  /** Outward unit normals. */
+  normals: Point[];
+}
+
+/** A ruling line from a sample of the first curve to one of the second. */
+export interface Line {
+  from: number;
+  to: number;
+  /** f */
+  value: number;
+  /** Whether it meets no edge of either polygon, checked edge by edge. */
+  visible: boolean;
+}
+
+/** What a set of lines is worth. */
+export interface LineTotals {
+  count: number;
+  sum: number;
+  /** null without lines. */
+  mean: number | null;
+  /** J; null when a sample has no line. */
+  integral: number | null;
+  /** J over its upper bound; null when J is, or when the bound is not positive. */
+  eta: number | null;
+  crossings: number;
+  blocked: number;
+  /** Samples of each curve without a line. */
+  uncovered: [number[], number[]];
+}
+
+export interface Match {
+  /** Whether every sample has a line, none cross and none is blocked. */
+  ok: boolean;
+  diagnostics: Diagnostic[];
+  /** Which curves were drawn clockwise; on those u becomes lo + hi - u. */
+  reversed: [boolean, boolean];
+  samples: [Samples, Samples];
+  /** In cyclic order. */
+  lines: Line[];
+  /** One-to-one pairs; empty in this release. */
+  pairs: { u: number; v: number; value: number; verified: boolean }[];
+  /** Parameters [u, v] of every line, both ascending beyond the ends of their domains; empty unless `ok`. */
+  reparameterisation: [number, number][];
+  totals: { lines: LineTotals | null; pairs: LineTotals | null };
+}
+
+/** A closed polyline at the share s of the way from curve 1 to curve 2. */
+export interface Stage {
+  s: number;
+  points: Point[];
+}
+
+/** The quadrilateral between two ruling lines and two stages. */
+export interface UnitCell {
+  line: number;
+  stage: number;
+  corners: [Point, Point, Point, Point];
+  /** Mean fraction of each material. */
+  fractions: number[];
+}
+
+/** What the band holds at a point. */
+export interface Probe {
+  /** Index of the nearest ruling line. */
+  line: number;
+  s: number;
+  u: number;
+  v: number;
+  at: Point;
+  /** Fraction of each material at the point. */
+  fractions: number[];
+  /** Value f of the nearest line. */
+  value: number;
+  /** Product of the unit normals at its ends. */
+  cosine: number;
+  length: number;
+  from: Point;
+  to: Point;
+}
+
+/** The point in the middle of a picture, and its scale in CSS pixels per unit. */
+export interface View {
+  center: Point;
+  scale: number;
+}
+
+export interface PictureSize {
+  /** Device pixels, 1 to 4096. */
+  width: number;
+  /** Device pixels, 1 to 4096. */
+  height: number;
+  /** Device pixels per CSS pixel, 0.1 to 16; strokes grow with it. Default 1. */
+  pixelRatio?: number;
+}
+
+export interface PictureOptions extends PictureSize {
+  /** Default: the document's view, else the one that shows everything. */
+  view?: View;
+  /** Default: the document's layers, else all but normals, values and unit cells. */
+  layers?: LayerName[];
+  theme?: "light" | "dark";
+  /** Whether the canvas is filled; else it is transparent. Default true. */
+  background?: boolean;
+  /** Place of the current in-between curve, 0 to 1; null hides it. Default: the document's. */
+  s?: number | null;
+  /** Index of a ruling line to lift out. */
+  line?: number | null;
+}
+
+/** Straight RGBA pixels, row by row from the top. */
+export interface Picture {
+  width: number;
+  height: number;
+  data: Uint8ClampedArray;
+  view: View;
+}
+
+/** The solution of a document in steps, for hosts that must stay responsive. */
+export interface Job {
+  /** Works for about so many milliseconds. When done, the other functions answer from the result. */
+  step(budget: number): { progress: number; done: boolean };
+}
+
+/** The functions of a module. All throw `DirectrixError`. */
+export interface Directrix {
+  match(document: DocumentInput): Match;
+  stages(document: DocumentInput, options?: { refine?: number }): Stage[];
+  cells(document: DocumentInput): UnitCell[];
+  probe(document: DocumentInput, point: Point): Probe | null;
+  paint(document: DocumentInput, options: PictureOptions): Picture;
+  svg(document: DocumentInput, options: PictureOptions): string;
+  fit(document: DocumentInput, options: PictureSize): View;
+  insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
+  defaults(document: DocumentInput): CurvesDocument;
+  job(document: DocumentInput): Job;
+}
+
+export interface LoadOptions {
+  /** Default `full`. */
+  module?: "figure" | "full";
+  /** Where the module is, or its bytes. Default: beside the package's own files. */
+  wasm?: URL | string | BufferSource;
+}
+
+export interface ConnectOptions {
+  module?: "figure" | "full";
+  wasm?: string | BufferSource;
+}
+
+/** Last argument of every function of a connection. */
+export interface Control {
+  /** Aborts the call: its promise rejects with the signal's reason. */
+  signal?: AbortSignal;
+  /** Called with the share done, 0 to 1, while a document is being solved. */
+  onprogress?: (progress: number) => void;
+}
+
+type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A, control?: Control]) => Promise<R> : never;
+
+/** The functions of a module in a worker, as promises. */
+export type Connection = { [K in Exclude<keyof Directrix, "job">]: Asynchronous<Directrix[K]> } & {
+  /** Ends the worker. */
+  close(): void;
+  /** Called when a new worker has taken over from one whose module trapped. */
+  onrestart: (() => void) | undefined;
+};
+
+/** Loads a module once. Rejects when it cannot be loaded. */
+export function load(options?: LoadOptions): Promise<Directrix>;
+
+/** Starts a worker; browsers only. */
+export function connect(options?: ConnectOptions): Promise<Connection>;
+
+export type ErrorCode =
+  | "syntax"
+  | "missing"
+  | "unknown-field"
+  | "type"
+  | "range"
+  | "non-finite"
+  | "version"
+  | "not-yet"
+  | "limit"
+  | "points"
+  | "knots"
+  | "zero-length"
+  | "self-intersection"
+  | "contact"
+  | "trap"
+  | "closed"
+  | "failed";
+
+export class DirectrixError extends Error {
+  constructor(code: string, path: string, message: string, at?: Point);
+  readonly code: ErrorCode | (string & {});
+  readonly path: string;
+  readonly at: Point | undefined;
+}

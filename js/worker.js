@@ -1,0 +1,108 @@
+import { DirectrixError, fromModule } from "./errors.js";
+import { load } from "./index.js";
+import { toText } from "./text.js";
+
+/** Milliseconds of work between two looks at the mailbox. */
+const BUDGET = 12;
+
+/** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
+
+const scope = /** @type {any} */ (globalThis);
+/** @type {Call[]} */
+const calls = [];
+/** @type {number | undefined} */
+let current;
+/** @type {import("./directrix.js").Directrix | undefined} */
+let dx;
+
+/** @param {MessageEvent} event */
+scope.onmessage = async ({ data }) => {
+  if (data.type === "open") {
+    try {
+      dx = await load(data.options);
+      scope.postMessage({ type: "ready" });
+    } catch (error) {
+      scope.postMessage({ type: "failed", error: plain(error) });
+    }
+    return work();
+  }
+  if (data.type === "cancel") {
+    const index = calls.findIndex((call) => call.id === data.id);
+    if (index >= 0) calls.splice(index, 1);
+    if (current === data.id) current = undefined;
+    return;
+  }
+  calls.push(data);
+  work();
+};
+
+let working = false;
+
+/** Answers the calls in the order in which they came. */
+async function work() {
+  if (working || !dx) return;
+  working = true;
+  for (let call = calls.shift(); call; call = calls.shift()) {
+    current = call.id;
+    try {
+      await solve(dx, call);
+      if (current === call.id) answer(call.id, run(dx, call));
+    } catch (error) {
+      scope.postMessage({ type: "error", id: call.id, error: plain(error) });
+    }
+  }
+  current = undefined;
+  working = false;
+}
+
+/**
+ * Solves the document of a call in steps, so that messages get through in between.
+ *
+ * @param {import("./directrix.js").Directrix} dx
+ * @param {Call} call
+ */
+async function solve(dx, call) {
+  if (call.name === "defaults" || call.name === "fit" || call.name === "insertPoint") return;
+  call.args[0] = toText(call.args[0]);
+  const job = dx.job(call.args[0]);
+  for (let state = job.step(BUDGET); !state.done && current === call.id; state = job.step(BUDGET)) {
+    scope.postMessage({ type: "progress", id: call.id, progress: state.progress });
+    await nextMessage();
+  }
+}
+
+/**
+ * @param {import("./directrix.js").Directrix} dx
+ * @param {Call} call
+ */
+function run(dx, { name, args }) {
+  return /** @type {any} */ (dx)[name](...args);
+}
+
+/**
+ * @param {number} id
+ * @param {any} value
+ */
+function answer(id, value) {
+  const transfer = value?.data instanceof Uint8ClampedArray ? [value.data.buffer] : [];
+  scope.postMessage({ type: "result", id, value }, transfer);
+}
+
+const { port1, port2 } = new MessageChannel();
+
+/** Lets the messages that wait be handled. */
+function nextMessage() {
+  return new Promise((resolve) => {
+    port1.onmessage = resolve;
+    port2.postMessage(null);
+  });
+}
+
+/** @param {unknown} error */
+function plain(error) {
+  const known = fromModule(error);
+  if (known instanceof DirectrixError) {
+    return { code: known.code, path: known.path, message: known.message, at: known.at };
+  }
+  return { code: "failed", path: "", message: known instanceof Error ? known.message : String(known) };
+}

@@ -1,0 +1,105 @@
+//! Remarks on a document whose fields are all valid.
+
+use glam::DVec2;
+use std::fmt;
+
+/// Something about the geometry that a person should know: a remark on the result, or why there is none.
+///
+/// Curves are numbered as in the document, vertices along the counter-clockwise curve.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Diagnostic {
+    /// A curve has a corner; the normal there is the bisector of the two sides.
+    Corner {
+        /// Number of the curve.
+        curve: usize,
+        /// Parameter on the counter-clockwise curve.
+        parameter: f64,
+        /// Where it lies.
+        at: DVec2,
+        /// Turn of the tangent in degrees, positive to the left.
+        turn: f64,
+    },
+    /// Lines whose ends have opposed normals; with signed products such a line is less bad when longer.
+    OpposedNormals {
+        /// Indices of the lines.
+        lines: Vec<usize>,
+    },
+    /// Vertices that see no vertex of the other curve.
+    Orphan {
+        /// Number of the curve.
+        curve: usize,
+        /// Indices of the vertices.
+        vertices: Vec<usize>,
+    },
+    /// Vertices that see the other curve but got no line, because earlier lines are in the way.
+    Stuck {
+        /// Number of the curve.
+        curve: usize,
+        /// Indices of the vertices.
+        vertices: Vec<usize>,
+    },
+    /// Neither curve lies inside the other.
+    Disjoint,
+    /// Curves at different heights whose projections cross.
+    Crossing {
+        /// A place where they do.
+        at: DVec2,
+    },
+    /// The curves keep apart but their sampled polygons do not.
+    CoarseSampling {
+        /// A place where they meet.
+        at: Option<DVec2>,
+    },
+}
+
+impl Diagnostic {
+    /// Name of the kind, stable across releases.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Corner { .. } => "corner",
+            Self::OpposedNormals { .. } => "opposed-normals",
+            Self::Orphan { .. } => "orphan",
+            Self::Stuck { .. } => "stuck",
+            Self::Disjoint => "disjoint",
+            Self::Crossing { .. } => "crossing",
+            Self::CoarseSampling { .. } => "coarse-sampling",
+        }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let near = |f: &mut fmt::Formatter<'_>, at: &DVec2| write!(f, " near ({:.2}, {:.2})", at.x, at.y);
+        match self {
+            Self::Corner { curve, at, turn, .. } => {
+                write!(f, "curve {curve} has a corner of {turn:.0} degrees")?;
+                near(f, at)
+            }
+            Self::OpposedNormals { lines } => {
+                write!(f, "{} lines join points with opposed normals", lines.len())
+            }
+            Self::Orphan { curve, vertices } => {
+                write!(f, "{} vertices of curve {curve} see no vertex of the other curve", vertices.len())
+            }
+            Self::Stuck { curve, vertices } => {
+                write!(
+                    f,
+                    "{} vertices of curve {curve} got no line: better lines are in the way",
+                    vertices.len()
+                )
+            }
+            Self::Disjoint => write!(f, "neither curve lies inside the other; move one curve into the other"),
+            Self::Crossing { at } => {
+                write!(f, "the curves cross in projection")?;
+                near(f, at)?;
+                write!(f, "; matching such curves comes with a later release")
+            }
+            Self::CoarseSampling { at } => {
+                write!(f, "the sampled polygons meet although the curves do not")?;
+                at.iter().try_for_each(|at| near(f, at))?;
+                write!(f, "; raise the sample counts")
+            }
+        }
+    }
+}

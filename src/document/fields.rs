@@ -1,0 +1,254 @@
+//! The fields of a curves document, read and checked one by one, with the defaults of those left out.
+
+use super::DocumentError;
+use super::node::Node;
+use super::schema::{
+    Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LayerName, MatchingSpec, MaterialSpec,
+    Method, NegativeMode, Policy, Sampling, SamplingScheme, View,
+};
+
+type Read<T> = Result<T, DocumentError>;
+
+/// Greatest absolute coordinate, height and length of a document.
+const LARGEST: f64 = 1e12;
+/// Greatest exponent in the value of a line.
+const LARGEST_WEIGHT: f64 = 100.0;
+
+/// Reads a document whose version and kind are known to be right.
+pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
+    node.only(&[
+        "directrix",
+        "kind",
+        "title",
+        "unit",
+        "materials",
+        "curves",
+        "sampling",
+        "matching",
+        "blend",
+        "view",
+    ])?;
+    let text = |name: &str, most: usize, default: &str| match node.get(name)? {
+        Some(node) => node.text(most),
+        None => Ok(default.to_owned()),
+    };
+    Ok(CurvesDocument {
+        directrix: 1,
+        kind: Kind::Curves,
+        title: text("title", 200, "Untitled")?,
+        unit: text("unit", 16, "mm")?,
+        materials: materials(node)?,
+        curves: curves(&node.need("curves")?)?,
+        sampling: node.get("sampling")?.map_or_else(|| Ok(Sampling::default()), |n| sampling(&n))?,
+        matching: matching(&node.need("matching")?)?,
+        blend: node.get("blend")?.map_or_else(|| Ok(Blend::default()), |n| blend(&n))?,
+        view: node.get("view")?.map(|n| view(&n)).transpose()?,
+    })
+}
+
+fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
+    let Some(list) = node.get("materials")? else { return Ok(two_materials()) };
+    let items = list.items()?;
+    list.check_count(items.len(), " materials", 1..=16)?;
+    let mut materials = Vec::with_capacity(items.len());
+    for item in &items {
+        item.only(&["name", "color", "void"])?;
+        materials.push(MaterialSpec {
+            name: item.need("name")?.text(100)?,
+            color: item.need("color")?.text(100)?,
+            void: item.get("void")?.map_or(Ok(false), |n| n.flag())?,
+        });
+    }
+    Ok(materials)
+}
+
+fn curves(list: &Node<'_>) -> Read<Vec<CurveSpec>> {
+    let items = list.items()?;
+    if let Some(third) = items.get(2) {
+        return Err(third.not_yet("stacks of more than two curves"));
+    }
+    list.check_count(items.len(), " curves", 2..=2)?;
+    let mut curves = Vec::with_capacity(items.len());
+    for item in &items {
+        curves.push(curve(item)?);
+    }
+    Ok(curves)
+}
+
+fn curve(node: &Node<'_>) -> Read<CurveSpec> {
+    node.only(&["name", "degree", "form", "points", "knots", "height", "composition"])?;
+    let form = node.need("form")?;
+    let form = match form.choice(&["periodic", "clamped", "open"])? {
+        0 => CurveForm::Periodic,
+        1 => CurveForm::Clamped,
+        _ => return Err(form.not_yet("open curves")),
+    };
+    let mut points = Vec::new();
+    for point in node.need("points")?.items()? {
+        points.push(point.pair()?);
+    }
+    Ok(CurveSpec {
+        name: node.get("name")?.map(|n| n.text(100)).transpose()?,
+        degree: node.need("degree")?.count()?,
+        form,
+        points,
+        knots: node.get("knots")?.map(|n| numbers(&n)).transpose()?,
+        height: node.get("height")?.map_or(Ok(0.0), |n| n.within(-LARGEST..=LARGEST))?,
+        composition: node.get("composition")?.map(|n| composition(&n)).transpose()?,
+    })
+}
+
+fn composition(node: &Node<'_>) -> Read<Vec<CompositionKey>> {
+    let mut keys = Vec::new();
+    for key in node.items()? {
+        key.only(&["at", "mix"])?;
+        keys.push(CompositionKey { at: key.need("at")?.number()?, mix: numbers(&key.need("mix")?)? });
+    }
+    Ok(keys)
+}
+
+fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
+    let items = node.items()?;
+    let mut numbers = Vec::with_capacity(items.len());
+    for item in items {
+        numbers.push(item.number()?);
+    }
+    Ok(numbers)
+}
+
+fn sampling(node: &Node<'_>) -> Read<Sampling> {
+    node.only(&["scheme", "counts", "tolerance", "maxTurn", "minCount"])?;
+    let mut sampling = Sampling::default();
+    if let Some(scheme) = node.get("scheme")? {
+        sampling.scheme = match scheme.choice(&["parameter", "arc-length", "adaptive"])? {
+            0 => SamplingScheme::Parameter,
+            1 => SamplingScheme::ArcLength,
+            _ => return Err(scheme.not_yet("adaptive samples")),
+        };
+    }
+    later(node, &["tolerance", "maxTurn", "minCount"], "settings of adaptive samples")?;
+    if let Some(counts) = node.get("counts")? {
+        let items = counts.items()?;
+        counts.check_count(items.len(), " counts", 2..=2)?;
+        for (count, item) in sampling.counts.iter_mut().zip(&items) {
+            *count = item.count_within(3..=1000)?;
+        }
+    }
+    Ok(sampling)
+}
+
+fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
+    node.only(&[
+        "method",
+        "objective",
+        "linePrice",
+        "normalWeight",
+        "distanceWeight",
+        "alignmentWeight",
+        "negative",
+        "oneToOne",
+        "lines",
+        "shift",
+        "policy",
+        "pins",
+        "printed",
+    ])?;
+    let method = node.need("method")?;
+    if method.choice(&["greedy", "exact", "one-per-vertex", "shift", "parameter"])? != 0 {
+        return Err(method.not_yet("methods other than `greedy`"));
+    }
+    later(node, &["objective", "linePrice", "lines"], "settings of exact methods")?;
+    later(node, &["shift"], "settings of the method `shift`")?;
+    if let Some(flag) = node.get("oneToOne")?
+        && flag.flag()?
+    {
+        return Err(flag.not_yet("one-to-one lines"));
+    }
+    if let Some(policy) = node.get("policy")?
+        && policy.choice(&["strict", "repair"])? != 0
+    {
+        return Err(policy.not_yet("policies other than `strict`"));
+    }
+    for (field, what) in [("pins", "pinned pairs"), ("printed", "rules as printed")] {
+        if let Some(list) = node.get(field)?
+            && let Some(first) = list.items()?.first()
+        {
+            return Err(first.not_yet(what));
+        }
+    }
+    let weight =
+        |name: &str, default: f64| node.get(name)?.map_or(Ok(default), |n| n.within(0.0..=LARGEST_WEIGHT));
+    Ok(MatchingSpec {
+        method: Method::Greedy,
+        normal_weight: weight("normalWeight", 1.0)?,
+        distance_weight: weight("distanceWeight", 2.0)?,
+        alignment_weight: weight("alignmentWeight", 0.0)?,
+        negative: match node.get("negative")?.map_or(Ok(0), |n| n.choice(&["signed", "clamp", "half"]))? {
+            0 => NegativeMode::Signed,
+            1 => NegativeMode::Clamp,
+            _ => NegativeMode::Half,
+        },
+        one_to_one: false,
+        policy: Policy::Strict,
+    })
+}
+
+fn blend(node: &Node<'_>) -> Read<Blend> {
+    node.only(&["kind", "stages"])?;
+    if let Some(kind) = node.get("kind")?
+        && kind.choice(&["ruled", "cubic", "harmonic"])? != 0
+    {
+        return Err(kind.not_yet("blends other than `ruled`"));
+    }
+    let default = Blend::default();
+    Ok(Blend {
+        stages: node.get("stages")?.map_or(Ok(default.stages), |n| n.count_within(1..=200))?,
+        ..default
+    })
+}
+
+fn view(node: &Node<'_>) -> Read<View> {
+    node.only(&["layers", "center", "span", "s"])?;
+    Ok(View {
+        layers: node.get("layers")?.map(|n| layers(&n)).transpose()?,
+        center: node.get("center")?.map(|n| center(&n)).transpose()?,
+        span: node.get("span")?.map(|n| n.within(1e-9..=LARGEST)).transpose()?,
+        s: node.get("s")?.map(|n| n.within(0.0..=1.0)).transpose()?,
+    })
+}
+
+fn center(node: &Node<'_>) -> Read<[f64; 2]> {
+    for coordinate in node.items()? {
+        coordinate.within(-LARGEST..=LARGEST)?;
+    }
+    node.pair()
+}
+
+/// Reads a list of layers.
+pub(crate) fn layers(node: &Node<'_>) -> Read<Vec<LayerName>> {
+    let mut layers = Vec::new();
+    for item in node.items()? {
+        layers.push(LayerName::ALL[item.choice(&LayerName::NAMES)?]);
+    }
+    Ok(layers)
+}
+
+/// Refuses fields that only later releases use, whatever their value.
+fn later(node: &Node<'_>, fields: &[&str], what: &str) -> Read<()> {
+    for field in fields {
+        if let Some(found) = node.get(field)? {
+            return Err(found.not_yet(what));
+        }
+    }
+    Ok(())
+}
+
+/// Two materials whose half-way mix stays clean.
+fn two_materials() -> Vec<MaterialSpec> {
+    let material = |name: &str, color: &str| MaterialSpec {
+        name: name.to_owned(),
+        color: color.to_owned(),
+        void: false,
+    };
+    vec![material("Material 1", "#f0e442"), material("Material 2", "#009e73")]
+}

@@ -1,0 +1,205 @@
+//! The curves of a document, ready for evaluation.
+
+use super::schema::{CurveForm, CurveSpec, NegativeMode, SamplingScheme};
+use super::{Code, CurvesDocument, DocumentError};
+use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample};
+use crate::geom::Bounds;
+use crate::matching::{NegativeProducts, Weights};
+use crate::material::{Color, Composition, Material, Profile};
+use glam::DVec2;
+
+/// A document with its curves built, turned counter-clockwise and sampled, and its compositions checked.
+#[derive(Debug, Clone)]
+pub struct Model {
+    document: CurvesDocument,
+    curves: [ClosedBSpline; 2],
+    reversed: [bool; 2],
+    samples: [Samples; 2],
+    profiles: [Profile; 2],
+    materials: Vec<Material>,
+}
+
+impl Model {
+    /// Builds the curves and compositions of a document.
+    ///
+    /// # Errors
+    /// When a curve, a colour or a composition is not valid, with the path of the field. Curves that meet themselves or
+    /// each other are built; [`fault`](Self::fault) tells.
+    pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
+        let materials = materials(&document)?;
+        let profiles = [profile(&document, 0)?, profile(&document, 1)?];
+        let (first, first_reversed) = curve(&document.curves[0], 0)?;
+        let (second, second_reversed) = curve(&document.curves[1], 1)?;
+        let curves = [first, second];
+        let scheme = match document.sampling.scheme {
+            SamplingScheme::Parameter => Scheme::Parameter,
+            SamplingScheme::ArcLength => Scheme::ArcLength,
+        };
+        let counts = &document.sampling.counts;
+        let samples = [sample(&curves[0], scheme, counts[0]), sample(&curves[1], scheme, counts[1])];
+        Ok(Self {
+            curves,
+            reversed: [first_reversed, second_reversed],
+            samples,
+            profiles,
+            materials,
+            document,
+        })
+    }
+
+    /// The document.
+    #[must_use]
+    pub fn document(&self) -> &CurvesDocument {
+        &self.document
+    }
+
+    /// The two curves, counter-clockwise.
+    #[must_use]
+    pub fn curves(&self) -> &[ClosedBSpline; 2] {
+        &self.curves
+    }
+
+    /// Which curves were drawn clockwise and are reversed here.
+    #[must_use]
+    pub fn reversed(&self) -> [bool; 2] {
+        self.reversed
+    }
+
+    /// Samples of the two counter-clockwise curves.
+    #[must_use]
+    pub fn samples(&self) -> &[Samples; 2] {
+        &self.samples
+    }
+
+    /// Materials of the document.
+    #[must_use]
+    pub fn materials(&self) -> &[Material] {
+        &self.materials
+    }
+
+    /// Weights of the ruling lines.
+    #[must_use]
+    pub fn weights(&self) -> Weights {
+        let matching = &self.document.matching;
+        Weights {
+            normal: matching.normal_weight,
+            distance: matching.distance_weight,
+            alignment: matching.alignment_weight,
+            negative: match matching.negative {
+                NegativeMode::Signed => NegativeProducts::Signed,
+                NegativeMode::Clamp => NegativeProducts::Clamp,
+                NegativeMode::Half => NegativeProducts::Half,
+            },
+        }
+    }
+
+    /// Distance between the planes of the curves.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        (self.document.curves[0].height - self.document.curves[1].height).abs()
+    }
+
+    /// Composition at the parameter `u` of a counter-clockwise curve; parameters outside its domain wrap round.
+    #[must_use]
+    pub fn composition(&self, curve: usize, u: f64) -> Composition {
+        let (lo, hi) = self.curves[curve].domain();
+        let fraction = ((u - lo) / (hi - lo)).rem_euclid(1.0);
+        let drawn = if self.reversed[curve] { (1.0 - fraction).rem_euclid(1.0) } else { fraction };
+        self.profiles[curve].at(if drawn < 1.0 { drawn } else { 0.0 })
+    }
+
+    /// Smallest box that holds both curves and their control points.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        self.curves[0].bounds().union(self.curves[1].bounds())
+    }
+
+    /// Finds a place where a curve meets itself, or where the two meet at equal heights, on the curves themselves.
+    #[must_use]
+    pub fn fault(&self) -> Option<DocumentError> {
+        let place = |at: DVec2| format!("({:.3}, {:.3})", at.x, at.y);
+        for (k, curve) in self.curves.iter().enumerate() {
+            if let Some(meeting) = curve.self_intersection() {
+                let message =
+                    format!("the curve meets itself near {}; expected a simple curve", place(meeting.at));
+                let error =
+                    DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
+                return Some(error.with_place(meeting.at));
+            }
+        }
+        if self.gap() > 0.0 {
+            return None;
+        }
+        let meeting = self.curves[0].contact(&self.curves[1])?;
+        let message =
+            format!("the two curves meet near {}; expected curves that keep apart", place(meeting.at));
+        Some(DocumentError::new(Code::Contact, "curves[1].points", message).with_place(meeting.at))
+    }
+}
+
+fn materials(document: &CurvesDocument) -> Result<Vec<Material>, DocumentError> {
+    let build = |(k, spec): (usize, &super::MaterialSpec)| {
+        let color = Color::parse(&spec.color)
+            .map_err(|e| DocumentError::new(Code::Range, format!("materials[{k}].color"), e.to_string()))?;
+        Ok(Material { name: spec.name.clone(), color, void: spec.void })
+    };
+    document.materials.iter().enumerate().map(build).collect()
+}
+
+/// Composition along a curve as drawn; left out, it is the material of the curve's own number, or the last one.
+fn profile(document: &CurvesDocument, curve: usize) -> Result<Profile, DocumentError> {
+    let count = document.materials.len();
+    let Some(keys) = &document.curves[curve].composition else {
+        return Ok(Profile::constant(Composition::pure(curve.min(count - 1), count)));
+    };
+    let path = |rest: &str| format!("curves[{curve}].composition{rest}");
+    let compositions = keys.iter().enumerate().map(|(k, key)| {
+        if key.mix.len() != count {
+            let message =
+                format!("{} fractions were found; expected {count}, one for each material", key.mix.len());
+            return Err(DocumentError::new(Code::Range, path(&format!("[{k}].mix")), message));
+        }
+        let composition = Composition::new(key.mix.clone())
+            .map_err(|e| DocumentError::new(Code::Range, path(&format!("[{k}].mix")), e.to_string()))?;
+        Ok((key.at, composition))
+    });
+    let keys = compositions.collect::<Result<Vec<_>, _>>()?;
+    Profile::new(keys).map_err(|e| DocumentError::new(Code::Range, path(""), e.to_string()))
+}
+
+/// Builds a curve as drawn.
+pub(super) fn drawn_curve(spec: &CurveSpec, k: usize) -> Result<ClosedBSpline, DocumentError> {
+    let form = match spec.form {
+        CurveForm::Periodic => Form::Periodic,
+        CurveForm::Clamped => Form::Clamped,
+    };
+    let points = spec.points.iter().map(|&p| DVec2::from(p)).collect();
+    ClosedBSpline::new(spec.degree, form, points, spec.knots.clone())
+        .map_err(|error| refuse(&error, k, spec.points.len()))
+}
+
+/// Builds a curve and turns it counter-clockwise; tells whether it had to be reversed.
+fn curve(spec: &CurveSpec, k: usize) -> Result<(ClosedBSpline, bool), DocumentError> {
+    let curve = drawn_curve(spec, k)?;
+    if curve.signed_area() < 0.0 { Ok((curve.reversed(), true)) } else { Ok((curve, false)) }
+}
+
+/// Says of an error in a curve which field of the document it concerns.
+fn refuse(error: &CurveError, k: usize, points: usize) -> DocumentError {
+    let (code, field) = match *error {
+        CurveError::Degree { .. } => (Code::Range, "degree".to_owned()),
+        CurveError::TooFewPoints { .. } => (Code::Points, "points".to_owned()),
+        CurveError::TooManyPoints { .. } => (Code::Limit, "points".to_owned()),
+        CurveError::PointNotFinite { index, .. } => (Code::NonFinite, format!("points[{index}]")),
+        CurveError::PointTooLarge { index, .. } => (Code::Range, format!("points[{index}]")),
+        CurveError::NotClosed { .. } => (Code::Points, format!("points[{}]", points.saturating_sub(1))),
+        CurveError::ZeroLength { .. } => (Code::ZeroLength, "points".to_owned()),
+        CurveError::KnotNotFinite { index, .. }
+        | CurveError::KnotsDecrease { index, .. }
+        | CurveError::KnotsNotPeriodic { index, .. }
+        | CurveError::KnotsNotClamped { index, .. }
+        | CurveError::Multiplicity { index, .. } => (Code::Knots, format!("knots[{index}]")),
+        _ => (Code::Knots, "knots".to_owned()),
+    };
+    DocumentError::new(code, format!("curves[{k}].{field}"), error.to_string())
+}

@@ -1,0 +1,222 @@
+//! Reading of documents.
+
+use super::fields::curves_document;
+use super::node::Node;
+use super::{Code, CurvesDocument, DocumentError, Json};
+
+/// Longest text of a document that is read, in bytes.
+pub const LONGEST_TEXT: usize = 4 << 20;
+
+/// The version of the format that this release reads and writes.
+const VERSION: f64 = 1.0;
+
+/// Reads a document and checks every field by itself.
+///
+/// # Errors
+/// The first thing that is wrong, with the path of its field: another version, a missing or unknown field, a wrong type, a
+/// value out of range, or one that only a later release computes. Shapes and compositions are checked by
+/// [`Model::new`](super::Model::new).
+pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
+    let root = Node::root(document, "");
+    let version = root.need("directrix")?;
+    let number = version.number()?;
+    if number != VERSION {
+        let message = format!("version {number} was found; this release reads version {VERSION}");
+        return Err(version.error(Code::Version, message));
+    }
+    let kind = root.need("kind")?;
+    if kind.choice(&["curves", "part", "hyperpatch"])? != 0 {
+        return Err(kind.not_yet("documents of kinds other than `curves`"));
+    }
+    curves_document(&root)
+}
+
+/// Refuses text that is too long to be a document.
+///
+/// # Errors
+/// With code `limit`, beyond [`LONGEST_TEXT`] bytes.
+pub fn check_length(text: &str) -> Result<(), DocumentError> {
+    if text.len() <= LONGEST_TEXT {
+        return Ok(());
+    }
+    let message = format!("the text has {} bytes; at most {LONGEST_TEXT} are read", text.len());
+    Err(DocumentError::new(Code::Limit, "", message))
+}
+
+/// Reads the text of a document.
+///
+/// # Errors
+/// When the text is too long or is not JSON, and as [`read`] does.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn read_text(text: &str) -> Result<CurvesDocument, DocumentError> {
+    check_length(text)?;
+    read(&Json::parse(text)?)
+}
+
+/// Writes a document with all defaults spelt out, as one line of JSON.
+///
+/// # Errors
+/// Never for a document that [`read`] accepted; a number that is not finite cannot be written.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn write_text(document: &CurvesDocument) -> Result<String, DocumentError> {
+    serde_json::to_string(document).map_err(|e| DocumentError::new(Code::NonFinite, "", e.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{Value, json};
+
+    fn minimal() -> Value {
+        let square = |r: f64| json!([[r, r], [-r, r], [-r, -r], [r, -r]]);
+        json!({
+            "directrix": 1, "kind": "curves", "matching": {"method": "greedy"},
+            "curves": [
+                {"degree": 3, "form": "periodic", "points": square(1.0)},
+                {"degree": 3, "form": "periodic", "points": square(3.0)},
+            ],
+        })
+    }
+
+    fn refusal(edit: impl FnOnce(&mut Value)) -> (Code, String, String) {
+        let mut document = minimal();
+        edit(&mut document);
+        let error = read_text(&document.to_string()).expect_err("refused");
+        (error.code, error.path, error.message)
+    }
+
+    fn expect(code: Code, path: &str, edit: impl FnOnce(&mut Value)) {
+        let (found, at, message) = refusal(edit);
+        assert_eq!((found, at.as_str()), (code, path), "{message}");
+        assert!(!message.is_empty());
+    }
+
+    #[test]
+    fn a_minimal_document_has_the_stated_defaults() {
+        let document = read_text(&minimal().to_string()).expect("valid");
+        assert_eq!(document.title, "Untitled");
+        assert_eq!(document.unit, "mm");
+        assert_eq!(document.sampling.counts, [44, 44]);
+        assert_eq!((document.matching.normal_weight, document.matching.distance_weight), (1.0, 2.0));
+        assert_eq!(document.blend.stages, 5);
+        assert!(!document.matching.one_to_one);
+    }
+
+    #[test]
+    fn what_is_written_reads_back_as_the_same_document() {
+        let document = read_text(&minimal().to_string()).expect("valid");
+        let text = write_text(&document).expect("finite");
+        assert_eq!(read_text(&text), Ok(document.clone()));
+        assert_eq!(write_text(&read_text(&text).expect("valid")).expect("finite"), text);
+    }
+
+    #[test]
+    fn text_that_is_not_json_is_refused() {
+        for text in ["", "{", "null and more", "{\"directrix\": 1,}", "\u{0}"] {
+            let error = read_text(text).expect_err("refused");
+            assert!(matches!(error.code, Code::Syntax | Code::Type), "{text}: {error}");
+            assert_eq!(error.path, "", "{text}");
+        }
+        let twice = minimal().to_string() + "{}";
+        assert_eq!(read_text(&twice).expect_err("refused").code, Code::Syntax);
+    }
+
+    #[test]
+    fn errors_name_the_field() {
+        expect(Code::Missing, "directrix", |d| {
+            d.as_object_mut().expect("object").remove("directrix");
+        });
+        expect(Code::Missing, "matching", |d| {
+            d.as_object_mut().expect("object").remove("matching");
+        });
+        expect(Code::Missing, "matching.method", |d| d["matching"] = json!({}));
+        expect(Code::Missing, "curves[1].points", |d| {
+            d["curves"][1].as_object_mut().expect("object").remove("points");
+        });
+        expect(Code::UnknownField, "curves[0].colour", |d| d["curves"][0]["colour"] = json!("red"));
+        expect(Code::UnknownField, "sampels", |d| d["sampels"] = json!(4));
+        expect(Code::Type, "curves[1].points[2][0]", |d| d["curves"][1]["points"][2][0] = json!("1"));
+        expect(Code::Type, "curves[1].points[2][0]", |d| d["curves"][1]["points"][2][0] = Value::Null);
+        expect(Code::Type, "curves[1].points[2]", |d| d["curves"][1]["points"][2] = json!([1, 2, 3]));
+        expect(Code::Range, "curves[0].form", |d| d["curves"][0]["form"] = json!("closed"));
+        expect(Code::Range, "matching.method", |d| d["matching"]["method"] = json!("best"));
+        expect(Code::Version, "directrix", |d| {
+            d["directrix"] = json!(2);
+            d["later"] = json!("field");
+        });
+    }
+
+    #[test]
+    fn numbers_beyond_the_range_of_doubles_are_refused() {
+        let text = minimal().to_string().replacen("3.0", "1e999", 1);
+        let error = read_text(&text).expect_err("refused");
+        assert_eq!(error.code, Code::NonFinite);
+        assert!(error.message.contains("line 1"), "{}", error.message);
+    }
+
+    #[test]
+    fn other_kinds_and_long_texts_are_refused() {
+        expect(Code::NotYet, "kind", |d| d["kind"] = json!("part"));
+        expect(Code::NotYet, "kind", |d| d["kind"] = json!("hyperpatch"));
+        expect(Code::Range, "kind", |d| d["kind"] = json!("mesh"));
+        let error = read_text(&" ".repeat(LONGEST_TEXT + 1)).expect_err("refused");
+        assert_eq!(error.code, Code::Limit);
+    }
+
+    fn expect_at(code: Code, path: &str, pointer: &str, value: Value) {
+        let (parent, field) = pointer.rsplit_once('/').expect("a pointer");
+        expect(code, path, |d| {
+            for optional in ["sampling", "blend", "view"] {
+                d[optional] = json!({});
+            }
+            d.pointer_mut(parent).expect("a parent")[field] = value;
+        });
+    }
+
+    #[test]
+    fn values_of_later_releases_are_refused_by_path() {
+        for method in ["exact", "one-per-vertex", "shift", "parameter"] {
+            expect_at(Code::NotYet, "matching.method", "/matching/method", json!(method));
+        }
+        for (field, value) in [
+            ("objective", json!("integral")),
+            ("linePrice", json!(0.1)),
+            ("lines", json!(44)),
+            ("shift", json!("best")),
+            ("shift", json!(4)),
+            ("oneToOne", json!(true)),
+            ("policy", json!("repair")),
+        ] {
+            let path = format!("matching.{field}");
+            expect_at(Code::NotYet, &path, &format!("/matching/{field}"), value);
+        }
+        expect_at(Code::NotYet, "matching.pins[0]", "/matching/pins", json!([{"u": 0.1, "v": 0.2}]));
+        expect_at(Code::NotYet, "matching.printed[0]", "/matching/printed", json!(["normals"]));
+        expect_at(Code::NotYet, "sampling.scheme", "/sampling/scheme", json!("adaptive"));
+        expect_at(Code::NotYet, "sampling.maxTurn", "/sampling/maxTurn", json!(10));
+        expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("cubic"));
+        expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("harmonic"));
+        expect_at(Code::NotYet, "curves[0].form", "/curves/0/form", json!("open"));
+        let curve = json!({"degree": 3, "form": "periodic", "points": []});
+        expect_at(Code::NotYet, "curves[2]", "/curves", json!([curve, curve, curve]));
+    }
+
+    #[test]
+    fn values_out_of_range_are_refused_by_path() {
+        expect_at(Code::Range, "curves", "/curves", json!([]));
+        expect_at(Code::Range, "curves[1].height", "/curves/1/height", json!(1e300));
+        expect_at(Code::Range, "sampling.counts", "/sampling/counts", json!([4]));
+        expect_at(Code::Range, "sampling.counts[1]", "/sampling/counts", json!([4, 2]));
+        expect_at(Code::Limit, "sampling.counts[0]", "/sampling/counts", json!([1001, 4]));
+        expect_at(Code::Type, "sampling.counts[0]", "/sampling/counts", json!([-1, 4]));
+        expect_at(Code::Type, "sampling.counts[1]", "/sampling/counts", json!([4, 5.5]));
+        expect_at(Code::Range, "matching.normalWeight", "/matching/normalWeight", json!(-1));
+        expect_at(Code::Range, "matching.distanceWeight", "/matching/distanceWeight", json!(101));
+        expect_at(Code::Range, "blend.stages", "/blend/stages", json!(0));
+        expect_at(Code::Limit, "blend.stages", "/blend/stages", json!(201));
+        expect_at(Code::Range, "materials", "/materials", json!([]));
+        expect_at(Code::Limit, "title", "/title", json!("x".repeat(201)));
+        expect_at(Code::Range, "view.s", "/view/s", json!(1.5));
+        expect_at(Code::Range, "view.layers[0]", "/view/layers", json!(["rulings"]));
+    }
+}

@@ -1,0 +1,278 @@
+//! A curves document in memory, with all defaults filled in.
+//!
+//! Only what this release computes has a place here; values of the format that come later are refused while reading.
+
+use serde::Serialize;
+
+/// A curves document: two closed curves, their materials, and how to match and blend them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct CurvesDocument {
+    /// Version of the format: 1.
+    pub directrix: u32,
+    /// Always `curves`.
+    pub kind: Kind,
+    /// Title, at most 200 characters.
+    pub title: String,
+    /// Unit of length, for display only.
+    pub unit: String,
+    /// Materials; a composition has one fraction for each.
+    pub materials: Vec<MaterialSpec>,
+    /// The two directrices.
+    pub curves: Vec<CurveSpec>,
+    /// How the curves are sampled.
+    pub sampling: Sampling,
+    /// How the samples are matched.
+    pub matching: MatchingSpec,
+    /// How shape and material go over from one curve to the other.
+    pub blend: Blend,
+    /// What the page shows; never needed to compute.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub view: Option<View>,
+}
+
+/// Kinds of documents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Two curves.
+    Curves,
+}
+
+/// A material.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct MaterialSpec {
+    /// Name, at most 100 characters.
+    pub name: String,
+    /// Display colour, `#rrggbb`.
+    pub color: String,
+    /// Whether the material stands for empty space.
+    pub void: bool,
+}
+
+/// A closed planar B-spline.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct CurveSpec {
+    /// Name for display.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Degree, 2 to 32.
+    pub degree: usize,
+    /// How the control points close.
+    pub form: CurveForm,
+    /// Control points [x, y].
+    pub points: Vec<[f64; 2]>,
+    /// Knots; uniform on [0, 1] when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub knots: Option<Vec<f64>>,
+    /// Height of the plane of the curve.
+    pub height: f64,
+    /// Composition along the curve; all of the curve's own material when left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub composition: Option<Vec<CompositionKey>>,
+}
+
+/// How a B-spline closes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurveForm {
+    /// The control points wrap round.
+    Periodic,
+    /// The last control point repeats the first.
+    Clamped,
+}
+
+/// The composition at one place of a curve.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct CompositionKey {
+    /// Fraction of the knot domain of the curve as drawn, in [0, 1).
+    pub at: f64,
+    /// Fraction of each material; they sum to 1.
+    pub mix: Vec<f64>,
+}
+
+/// How the curves are sampled.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Sampling {
+    /// Where the samples lie.
+    pub scheme: SamplingScheme,
+    /// Number of samples of each curve, 3 to 1000.
+    pub counts: [usize; 2],
+}
+
+/// Where samples lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SamplingScheme {
+    /// Even in the parameter.
+    Parameter,
+    /// Even in arc length.
+    ArcLength,
+}
+
+/// How the samples are matched.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct MatchingSpec {
+    /// Method; always written out.
+    pub method: Method,
+    /// Exponent of the product of the normals, 0 to 100.
+    pub normal_weight: f64,
+    /// Exponent of the length, 0 to 100.
+    pub distance_weight: f64,
+    /// Exponent of the alignment of the line with the normals, 0 to 100.
+    pub alignment_weight: f64,
+    /// How negative products count.
+    pub negative: NegativeMode,
+    /// Whether vertices are inserted until every line has its own ends: not in this release.
+    pub one_to_one: bool,
+    /// What to do where the constraints cannot hold.
+    pub policy: Policy,
+}
+
+/// Matching methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Greedy ruling line construction.
+    Greedy,
+}
+
+/// How a negative product of normals counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NegativeMode {
+    /// With its sign.
+    Signed,
+    /// As zero.
+    Clamp,
+    /// By half the sum with one.
+    Half,
+}
+
+/// What to do where the constraints cannot hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Policy {
+    /// Say so, and keep the sound part.
+    Strict,
+}
+
+/// How shape and material go over from one curve to the other.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Blend {
+    /// Kind of the blend.
+    pub kind: BlendKind,
+    /// Number M of steps from one curve to the other, 1 to 200; there are M - 1 in-between curves.
+    pub stages: usize,
+}
+
+/// Kinds of blends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlendKind {
+    /// Linear along the ruling lines.
+    Ruled,
+}
+
+/// What the page shows of a document.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct View {
+    /// Layers shown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub layers: Option<Vec<LayerName>>,
+    /// Point in the middle of the picture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub center: Option<[f64; 2]>,
+    /// Length across the shorter side of the picture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub span: Option<f64>,
+    /// Place of the current in-between curve, from 0 on the first curve to 1 on the second.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub s: Option<f64>,
+}
+
+/// Layers of the picture. The two curves are always drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub enum LayerName {
+    /// The band, coloured by its mix of materials.
+    Material,
+    /// The band in flat unit cells: ruling lines by in-between curves.
+    UnitCells,
+    /// In-between curves.
+    InBetweens,
+    /// Ruling lines.
+    RulingLines,
+    /// Sampled points.
+    Samples,
+    /// Sampled points without a ruling line.
+    Unconnected,
+    /// Control polygons.
+    ControlPoints,
+    /// Normals of the samples.
+    Normals,
+    /// Grid.
+    Grid,
+    /// Ruling lines coloured by their value.
+    Value,
+}
+
+impl LayerName {
+    /// Every layer.
+    pub const ALL: [Self; 10] = [
+        Self::Material,
+        Self::UnitCells,
+        Self::InBetweens,
+        Self::RulingLines,
+        Self::Samples,
+        Self::Unconnected,
+        Self::ControlPoints,
+        Self::Normals,
+        Self::Grid,
+        Self::Value,
+    ];
+
+    /// Their names in documents, in the same order.
+    pub const NAMES: [&'static str; 10] = [
+        "material",
+        "unitCells",
+        "inBetweens",
+        "rulingLines",
+        "samples",
+        "unconnected",
+        "controlPoints",
+        "normals",
+        "grid",
+        "value",
+    ];
+
+    /// The layers shown when a document names none.
+    pub const DEFAULT: [Self; 7] = [
+        Self::Material,
+        Self::InBetweens,
+        Self::RulingLines,
+        Self::Samples,
+        Self::Unconnected,
+        Self::ControlPoints,
+        Self::Grid,
+    ];
+}
+
+impl Default for Sampling {
+    fn default() -> Self {
+        Self { scheme: SamplingScheme::ArcLength, counts: [44, 44] }
+    }
+}
+
+impl Default for Blend {
+    fn default() -> Self {
+        Self { kind: BlendKind::Ruled, stages: 5 }
+    }
+}

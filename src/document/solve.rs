@@ -1,0 +1,204 @@
+//! From a document to its matching, in steps.
+
+use super::{CurvesDocument, Diagnostic, DocumentError, Model};
+use crate::matching::{Greedy, Matching, Outline, Problem, ProblemError, Weights};
+use crate::morph::Band;
+
+/// A solved document.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The curves of the document.
+    pub model: Model,
+    /// The matching, or why there is none.
+    pub outcome: Outcome,
+    /// Remarks on the geometry.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// What came out of matching a document.
+#[derive(Debug, Clone)]
+pub enum Outcome {
+    /// The curves meet themselves or each other: they can be drawn but not matched.
+    Refused(DocumentError),
+    /// The curves cannot be matched as they lie; the diagnostics say why.
+    Unmatched,
+    /// Lines were found.
+    Matched {
+        /// The outlines and the values of their lines.
+        problem: Box<Problem>,
+        /// The lines; they may leave vertices bare.
+        matching: Matching,
+        /// The band between the curves; only where every vertex has a line and no constraint is broken.
+        band: Option<Band>,
+    },
+}
+
+impl Solution {
+    /// Tells whether every vertex has a line and no constraint is broken.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.band().is_some()
+    }
+
+    /// The band between the curves, where the matching is complete.
+    #[must_use]
+    pub fn band(&self) -> Option<&Band> {
+        match &self.outcome {
+            Outcome::Matched { band, .. } => band.as_ref(),
+            Outcome::Refused(_) | Outcome::Unmatched => None,
+        }
+    }
+
+    /// Builds the band with `per_line` rulings from each line to the next.
+    #[must_use]
+    pub fn band_with(&self, per_line: usize) -> Option<Band> {
+        match &self.outcome {
+            Outcome::Matched { matching, band: Some(_), .. } => Some(band(&self.model, matching, per_line)),
+            Outcome::Matched { .. } | Outcome::Refused(_) | Outcome::Unmatched => None,
+        }
+    }
+}
+
+/// A job that matches the curves of a document.
+#[derive(Debug)]
+pub struct Solve {
+    model: Option<Model>,
+    state: State,
+}
+
+#[derive(Debug)]
+enum State {
+    Ready(Box<(Outcome, Vec<Diagnostic>)>),
+    Growing(Box<Greedy>),
+}
+
+impl Solve {
+    /// Builds the curves of a document and prepares their matching.
+    ///
+    /// # Errors
+    /// When a curve or a composition is not valid, see [`Model::new`].
+    pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
+        let model = Model::new(document)?;
+        let state = match model.fault() {
+            Some(fault) => State::Ready(Box::new((Outcome::Refused(fault), Vec::new()))),
+            None => prepare(&model),
+        };
+        Ok(Self { model: Some(model), state })
+    }
+
+    /// Advances while `may_go_on` says so, at least by a little; returns the solution when it is found, and `None` ever
+    /// after.
+    pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Solution> {
+        if let State::Growing(job) = &mut self.state {
+            let matching = job.step(may_go_on)?;
+            let problem = Box::new(job.problem().clone());
+            let model = self.model.as_ref()?;
+            let mut diagnostics = corners(model);
+            diagnostics.extend(remarks(model.weights(), &problem, &matching));
+            let band = matching.is_complete().then(|| band(model, &matching, rulings_per_line(&matching)));
+            let outcome = Outcome::Matched { problem, matching, band };
+            self.state = State::Ready(Box::new((outcome, diagnostics)));
+        }
+        let State::Ready(ready) = &mut self.state else { return None };
+        let model = self.model.take()?;
+        let (outcome, diagnostics) = std::mem::replace(&mut **ready, (Outcome::Unmatched, Vec::new()));
+        Some(Solution { model, outcome, diagnostics })
+    }
+
+    /// Share of the work that is done, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        match &self.state {
+            State::Ready(_) => 1.0,
+            State::Growing(job) => job.progress(),
+        }
+    }
+
+    /// Runs the job to its end.
+    ///
+    /// # Errors
+    /// When a curve or a composition is not valid, see [`Model::new`].
+    pub fn run(document: CurvesDocument) -> Result<Solution, DocumentError> {
+        let mut job = Self::new(document)?;
+        loop {
+            if let Some(solution) = job.step(&mut || true) {
+                return Ok(solution);
+            }
+        }
+    }
+}
+
+fn prepare(model: &Model) -> State {
+    let outlines = model.samples().each_ref().map(Outline::from);
+    match Problem::new(outlines, model.weights(), model.gap()) {
+        Ok(problem) => State::Growing(Box::new(Greedy::new(problem))),
+        Err(error) => {
+            let mut diagnostics = corners(model);
+            diagnostics.push(why_unmatched(model, error));
+            State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
+        }
+    }
+}
+
+/// Says why sampled polygons cannot be matched although the curves themselves are simple and, at equal heights, apart.
+fn why_unmatched(model: &Model, error: ProblemError) -> Diagnostic {
+    match error {
+        ProblemError::Apart => Diagnostic::Disjoint,
+        ProblemError::NotSimple { at, .. } => Diagnostic::CoarseSampling { at: Some(at) },
+        ProblemError::NotCounterClockwise { .. } => Diagnostic::CoarseSampling { at: None },
+        ProblemError::Meet { at } => {
+            let crossing =
+                (model.gap() > 0.0).then(|| model.curves()[0].contact(&model.curves()[1])).flatten();
+            match crossing {
+                Some(meeting) => Diagnostic::Crossing { at: meeting.at },
+                None => Diagnostic::CoarseSampling { at: Some(at) },
+            }
+        }
+    }
+}
+
+fn corners(model: &Model) -> Vec<Diagnostic> {
+    let corners = |(curve, spline): (usize, &crate::curve::ClosedBSpline)| {
+        spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
+            curve,
+            parameter: corner.u,
+            at: corner.at,
+            turn: corner.turn,
+        })
+    };
+    model.curves().iter().enumerate().flat_map(corners).collect()
+}
+
+fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diagnostic> {
+    let mut remarks = Vec::new();
+    let opposed: Vec<usize> = (0..matching.lines.len())
+        .filter(|&k| problem.cosine(matching.lines[k].from, matching.lines[k].to) < 0.0)
+        .collect();
+    if !opposed.is_empty() && weights.normal > 0.0 {
+        remarks.push(Diagnostic::OpposedNormals { lines: opposed });
+    }
+    for curve in 0..2 {
+        let orphans = &matching.orphans[curve];
+        let bare = matching.totals.uncovered[curve].iter().copied();
+        let stuck: Vec<usize> = bare.filter(|vertex| orphans.binary_search(vertex).is_err()).collect();
+        if !orphans.is_empty() {
+            remarks.push(Diagnostic::Orphan { curve, vertices: orphans.clone() });
+        }
+        if !stuck.is_empty() {
+            remarks.push(Diagnostic::Stuck { curve, vertices: stuck });
+        }
+    }
+    remarks
+}
+
+/// Rulings of the band from one line to the next: enough for smooth curves and colours, some hundreds in all.
+fn rulings_per_line(matching: &Matching) -> usize {
+    const IN_ALL: usize = 400;
+    IN_ALL.div_ceil(matching.lines.len().max(1)).clamp(2, 32)
+}
+
+fn band(model: &Model, matching: &Matching, per_line: usize) -> Band {
+    let parameters = model.samples().each_ref().map(|samples| samples.parameters.as_slice());
+    let compose = |curve: usize, u: f64| model.composition(curve, u);
+    Band::new(model.curves(), parameters, &matching.lines, compose, per_line)
+}

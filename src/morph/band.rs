@@ -1,0 +1,170 @@
+//! The ruled band between two matched curves.
+
+use crate::curve::ClosedBSpline;
+use crate::matching::RulingLine;
+use crate::material::Composition;
+use glam::DVec2;
+
+/// A straight line from the first curve to the second, with the composition at its ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ruling {
+    /// Parameter on the first curve, ascending round the band beyond the end of its domain.
+    pub u: f64,
+    /// Parameter on the second curve, ascending in the same way.
+    pub v: f64,
+    /// End on the first curve.
+    pub from: DVec2,
+    /// End on the second curve.
+    pub to: DVec2,
+    /// Composition at both ends.
+    pub ends: [Composition; 2],
+}
+
+impl Ruling {
+    /// Point at the share `s` of the way from the first curve (0) to the second (1).
+    ///
+    /// The paper's Eq. 3 runs the other way, t = 1 - s.
+    #[must_use]
+    pub fn point(&self, s: f64) -> DVec2 {
+        self.from.lerp(self.to, s)
+    }
+
+    /// Composition at the share `s` of the way, by linear blending of volume fractions.
+    #[must_use]
+    pub fn composition(&self, s: f64) -> Composition {
+        self.ends[0].mix(&self.ends[1], s)
+    }
+}
+
+/// Rulings all round the band: the lines of a matching and, between each two of them, more at even steps of both parameters.
+///
+/// Between two rulings the band is the bilinear patch on their four ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    rulings: Vec<Ruling>,
+    /// Parameters of the first ruling after one lap.
+    end: (f64, f64),
+    per_line: usize,
+}
+
+impl Band {
+    /// Builds the band of lines in cyclic order, which cover every sample of both curves.
+    ///
+    /// `parameters` are those of the samples, `compose(curve, u)` is the composition along curve 0 or 1, for `u` beyond the
+    /// domain as well, and `per_line` is the number of rulings from one line to the next, at least 1.
+    #[must_use]
+    pub fn new(
+        curves: &[ClosedBSpline; 2],
+        parameters: [&[f64]; 2],
+        lines: &[RulingLine],
+        compose: impl Fn(usize, f64) -> Composition,
+        per_line: usize,
+    ) -> Self {
+        let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
+        let b = parameters[1].len() as i64;
+        let places: Vec<(f64, f64)> = lines
+            .iter()
+            .map(|line| {
+                let laps = line.lifted.div_euclid(b) as f64;
+                (parameters[0][line.from], parameters[1][line.to] + laps * periods[1])
+            })
+            .collect();
+        let (u, v) = places.first().copied().unwrap_or_default();
+        let end = (u + periods[0], v + periods[1]);
+        let next = places.iter().copied().skip(1).chain([end]);
+        let rulings = places
+            .iter()
+            .zip(next)
+            .flat_map(|(&(u0, v0), (u1, v1))| {
+                (0..per_line).map(move |step| {
+                    let t = step as f64 / per_line as f64;
+                    (u0 + t * (u1 - u0), v0 + t * (v1 - v0))
+                })
+            })
+            .map(|(u, v)| Ruling {
+                u,
+                v,
+                from: curves[0].point(u),
+                to: curves[1].point(v),
+                ends: [compose(0, u), compose(1, v)],
+            })
+            .collect();
+        Self { rulings, end, per_line }
+    }
+
+    /// All rulings, in cyclic order; every [`per_line`](Self::per_line)-th is a line of the matching.
+    #[must_use]
+    pub fn rulings(&self) -> &[Ruling] {
+        &self.rulings
+    }
+
+    /// Number of rulings from one line of the matching to the next.
+    #[must_use]
+    pub fn per_line(&self) -> usize {
+        self.per_line
+    }
+
+    /// The rulings that are lines of the matching.
+    pub fn lines(&self) -> impl Iterator<Item = &Ruling> {
+        self.rulings.iter().step_by(self.per_line)
+    }
+
+    /// In-between curve at the share `s`, as a closed polyline over all rulings: 0 gives the first curve, 1 the second.
+    ///
+    /// Stage j of M is the curve at s = j / M; read as an iso-property curve, it joins the points whose
+    /// composition is blended in the same ratio (Fig. 10 of the paper).
+    #[must_use]
+    pub fn in_between(&self, s: f64) -> Vec<DVec2> {
+        self.rulings.iter().map(|ruling| ruling.point(s)).collect()
+    }
+
+    /// Each ruling with the next, all round, and the parameters of the next, ascending.
+    pub(super) fn gaps(&self) -> impl Iterator<Item = (&Ruling, &Ruling, (f64, f64))> {
+        let next = self.rulings.iter().skip(1).map(|ruling| (ruling, (ruling.u, ruling.v)));
+        let last = self.rulings.first().map(|ruling| (ruling, self.end));
+        self.rulings.iter().zip(next.chain(last)).map(|(this, (next, parameters))| (this, next, parameters))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::Form;
+    use glam::dvec2;
+
+    /// Two quadratic curves, one twice the other, matched at the four quarters of their domain.
+    fn band(per_line: usize) -> Band {
+        let square = |r: f64| vec![dvec2(r, r), dvec2(-r, r), dvec2(-r, -r), dvec2(r, -r)];
+        let curve = |r: f64| ClosedBSpline::new(2, Form::Periodic, square(r), None).expect("a valid curve");
+        let curves = [curve(1.0), curve(2.0)];
+        let quarters = [0.0, 0.25, 0.5, 0.75];
+        // The matching starts one vertex behind on the second curve.
+        let lines: Vec<RulingLine> = (0..4)
+            .map(|k| RulingLine { from: k, to: (k + 3) % 4, lifted: k as i64 - 1, value: 1.0 })
+            .collect();
+        let pure = |curve: usize, _: f64| Composition::pure(curve, 2);
+        Band::new(&curves, [&quarters, &quarters], &lines, pure, per_line)
+    }
+
+    #[test]
+    fn rulings_ascend_in_both_parameters_all_round() {
+        let band = band(5);
+        assert_eq!(band.rulings().len(), 20);
+        assert_eq!(band.lines().count(), 4);
+        for (this, next, (u, v)) in band.gaps() {
+            assert!((u - this.u - 0.05).abs() < 1e-12 && (v - this.v - 0.05).abs() < 1e-12);
+            assert!(next.u.rem_euclid(1.0) - u.rem_euclid(1.0) < 1e-12);
+        }
+        assert!((band.rulings()[0].v + 0.25).abs() < 1e-12, "one vertex behind");
+    }
+
+    #[test]
+    fn in_betweens_start_and_end_on_the_curves() {
+        let band = band(3);
+        for (k, ruling) in band.rulings().iter().enumerate() {
+            assert_eq!(band.in_between(0.0)[k], ruling.from);
+            assert_eq!(band.in_between(1.0)[k], ruling.to);
+            assert!((band.in_between(0.25)[k] - (0.75 * ruling.from + 0.25 * ruling.to)).length() < 1e-15);
+        }
+    }
+}

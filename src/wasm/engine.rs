@@ -1,0 +1,192 @@
+//! The functions of the module.
+
+use super::error::to_js;
+use super::json::parse;
+use super::results::{MatchResult, ViewResult, cells, probe, stages};
+use crate::document::{self, Code, CurvesDocument, DocumentError, Solution, Solve};
+use crate::picture::{DisplayList, PictureOptions, Viewport, figure, paint, to_svg};
+use glam::DVec2;
+use js_sys::{Object, Reflect, Uint8ClampedArray};
+use serde::Serialize;
+use std::collections::VecDeque;
+use std::rc::Rc;
+use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};
+
+/// Solved documents that are kept: several figures of a page take turns.
+const KEPT: usize = 4;
+/// Most rulings between two lines that stages are asked for.
+const MOST_REFINED: usize = 64;
+
+/// Answers questions about documents; remembers the last ones solved, so that asking twice costs once.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Engine {
+    solved: VecDeque<(String, Rc<Solution>)>,
+    job: Option<(String, Solve)>,
+}
+
+#[wasm_bindgen]
+impl Engine {
+    /// An engine that has solved nothing.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Goes on solving a document for about `budget` milliseconds; returns the share done, 1 when it is solved.
+    pub fn step(&mut self, text: &str, budget: f64) -> Result<f64, JsValue> {
+        let clock = clock();
+        let start = clock.now();
+        self.advance(text, &mut || clock.now() - start < budget).map_err(|e| to_js(&e))
+    }
+
+    /// The matching of a document.
+    #[wasm_bindgen(js_name = match)]
+    pub fn matching(&mut self, text: &str) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        to_value(&MatchResult::new(&solution).map_err(|e| to_js(&e))?)
+    }
+
+    /// In-between curves, with `refine` points from each ruling line to the next.
+    pub fn stages(&mut self, text: &str, refine: usize) -> Result<JsValue, JsValue> {
+        if !(1..=MOST_REFINED).contains(&refine) {
+            let message = format!("{refine} was found; expected 1 to {MOST_REFINED}");
+            return Err(to_js(&DocumentError::new(Code::Range, "options.refine", message)));
+        }
+        let solution = self.solve(text)?;
+        let count = solution.model.document().blend.stages;
+        to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, count)))
+    }
+
+    /// Unit cells.
+    pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        let count = solution.model.document().blend.stages;
+        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, count)))
+    }
+
+    /// What the band holds at a point.
+    pub fn probe(&mut self, text: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        to_value(&probe(&solution, DVec2::new(x, y)))
+    }
+
+    /// Pixels of the picture.
+    pub fn paint(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
+        let (_, viewport, list) = self.picture(text, options)?;
+        let pixels = paint(&list, &viewport).map_err(|e| refused_picture(&e.to_string()))?;
+        let result = Object::new();
+        Reflect::set(&result, &"width".into(), &viewport.width.into())?;
+        Reflect::set(&result, &"height".into(), &viewport.height.into())?;
+        Reflect::set(&result, &"data".into(), &Uint8ClampedArray::from(pixels.as_slice()))?;
+        Reflect::set(&result, &"view".into(), &to_value(&ViewResult::from(viewport))?)?;
+        Ok(result.into())
+    }
+
+    /// The picture as SVG.
+    pub fn svg(&mut self, text: &str, options: &str) -> Result<String, JsValue> {
+        let (solution, viewport, list) = self.picture(text, options)?;
+        Ok(to_svg(&list, &viewport, &solution.model.document().title, &describe(&solution)))
+    }
+
+    /// The view that shows all of a document in a picture.
+    pub fn fit(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
+        let options =
+            parse(options).and_then(|options| PictureOptions::read(&options)).map_err(|e| to_js(&e))?;
+        let document = read(text).map_err(|e| to_js(&e))?;
+        let model = document::Model::new(document).map_err(|e| to_js(&e))?;
+        to_value(&ViewResult::from(options.fit(&model)))
+    }
+
+    /// The document with one more control point on a curve, which keeps its shape.
+    #[wasm_bindgen(js_name = insertPoint)]
+    pub fn insert_point(&self, text: &str, curve: usize, u: f64) -> Result<JsValue, JsValue> {
+        let document = read(text).and_then(|document| document::insert_point(document, curve, u));
+        to_value(&document.map_err(|e| to_js(&e))?)
+    }
+
+    /// The document with all defaults spelt out.
+    pub fn defaults(&self, text: &str) -> Result<JsValue, JsValue> {
+        to_value(&read(text).map_err(|e| to_js(&e))?)
+    }
+}
+
+impl Engine {
+    fn picture(
+        &mut self,
+        text: &str,
+        options: &str,
+    ) -> Result<(Rc<Solution>, Viewport, DisplayList), JsValue> {
+        let options =
+            parse(options).and_then(|options| PictureOptions::read(&options)).map_err(|e| to_js(&e))?;
+        let solution = self.solve(text)?;
+        let viewport = options.viewport(&solution.model);
+        let list = figure(&solution, &options.figure(&solution.model), &viewport);
+        Ok((solution, viewport, list))
+    }
+
+    fn solve(&mut self, text: &str) -> Result<Rc<Solution>, JsValue> {
+        loop {
+            if let Some((_, solution)) = self.solved.iter().find(|(known, _)| known == text) {
+                return Ok(Rc::clone(solution));
+            }
+            self.advance(text, &mut || true).map_err(|e| to_js(&e))?;
+        }
+    }
+
+    fn advance(&mut self, text: &str, may_go_on: &mut dyn FnMut() -> bool) -> Result<f64, DocumentError> {
+        if self.solved.iter().any(|(known, _)| known == text) {
+            return Ok(1.0);
+        }
+        let mut job = match self.job.take() {
+            Some((known, job)) if known == text => job,
+            _ => Solve::new(read(text)?)?,
+        };
+        let Some(solution) = job.step(may_go_on) else {
+            let progress = job.progress().min(0.999);
+            self.job = Some((text.to_owned(), job));
+            return Ok(progress);
+        };
+        self.solved.truncate(KEPT - 1);
+        self.solved.push_front((text.to_owned(), Rc::new(solution)));
+        Ok(1.0)
+    }
+}
+
+fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
+    document::check_length(text)?;
+    document::read(&parse(text)?)
+}
+
+/// The clock of the host.
+fn clock() -> web_sys::Performance {
+    let performance = Reflect::get(&js_sys::global(), &"performance".into());
+    performance.unwrap_or(JsValue::UNDEFINED).unchecked_into()
+}
+
+fn refused_picture(message: &str) -> JsValue {
+    to_js(&DocumentError::new(Code::Range, "options", message))
+}
+
+/// The result of a figure in one sentence.
+fn describe(solution: &Solution) -> String {
+    match &solution.outcome {
+        document::Outcome::Matched { matching, .. } => {
+            let totals = &matching.totals;
+            let eta = totals.eta.map_or_else(String::new, |eta| format!(", eta {eta:.3}"));
+            format!(
+                "{} ruling lines between two curves, {} crossings, {} blocked{eta}",
+                totals.count, totals.crossings, totals.blocked
+            )
+        }
+        document::Outcome::Unmatched | document::Outcome::Refused(_) => {
+            "Two curves that are not matched".to_owned()
+        }
+    }
+}
+
+fn to_value<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::new().serialize_missing_as_null(true);
+    value.serialize(&serializer).map_err(JsValue::from)
+}
