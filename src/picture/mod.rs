@@ -1,1 +1,27 @@
-//! Pictures: a display list, painted on pixels or written as SVG.
+//! Pictures: a display list in document units, painted on pixels or written as SVG.
+//!
+//! Geometry is in document units with y up; stroke widths, radii and dashes are in CSS pixels, so they keep their size when the
+//! view is zoomed. One [`DisplayList`] serves both painters, so a picture and its SVG export show the same things.
+
+mod clip;
+mod error;
+mod grid;
+mod list;
+mod mesh;
+mod raster;
+mod scalar;
+mod shade;
+mod svg;
+mod svg_cells;
+mod theme;
+mod thin;
+mod viewport;
+
+pub use error::PaintError;
+pub use grid::{GridStep, grid_step};
+pub use list::{DisplayList, Item, Layer, Mesh, Path, StrokeStyle};
+pub use raster::paint;
+pub use scalar::viridis;
+pub use svg::to_svg;
+pub use theme::{Cased, Theme};
+pub use viewport::{Margins, Viewport};
