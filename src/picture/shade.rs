@@ -7,6 +7,7 @@
 //! Meshes of smooth figures have triangles of a few pixels, over which the encoded levels are linear to a fraction of a level. Such triangles
 //! are filled linearly, with the exact colour at their corners.
 
+use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
 use crate::material::Oklab;
@@ -18,8 +19,12 @@ const GAMMA_ENTRIES: usize = 1 << 14;
 /// Steps of the interpolated table of levels: its chords depart from the curve by less than 0.01 level.
 const LEVEL_STEPS: usize = 1 << 12;
 
-/// How far levels may depart from linear over a triangle that is filled linearly: with rounding, at most one level.
+/// How far levels may depart from linear in the middle of a side of a triangle that is filled linearly. In the middle of the
+/// triangle a quadratic then departs by 4/3 of it, so that with rounding no pixel is off by more than one level.
 const FLATNESS: f64 = 0.5;
+
+/// Levels between which the gamma curve is gentle: from a linear value of 0.01 to just below the clip at white.
+const SMOOTH_LEVELS: RangeInclusive<f64> = 25.0..=254.5;
 
 /// Pixels computed together; wide enough for any SIMD unit that the compiler aims at.
 const LANES: usize = 8;
@@ -99,13 +104,15 @@ impl Shader {
         [r, g, b, 255]
     }
 
-    /// Whether the levels between these corners are near enough to linear for [`flat_span`]: tried in the middle of each
-    /// side, where a curve departs most from its chord.
+    /// Whether the levels between these corners are near enough to linear for [`flat_span`]: no channel may come near the
+    /// ends of its range, where the curve is steep and then cut off, and the middle of each side, where a smooth curve departs most
+    /// from its chord, is tried.
     pub(super) fn is_flat(&self, cones: [&Cones; 3], levels: [&Levels; 3]) -> bool {
-        [(0, 1), (1, 2), (2, 0)].iter().all(|&(i, j)| {
-            let middle = self.levels(std::array::from_fn(|k| (cones[i][k] + cones[j][k]) / 2.0));
-            (0..3).all(|k| (middle[k] - (levels[i][k] + levels[j][k]) / 2.0).abs() <= FLATNESS)
-        })
+        levels.iter().all(|levels| levels.iter().all(|level| SMOOTH_LEVELS.contains(level)))
+            && [(0, 1), (1, 2), (2, 0)].iter().all(|&(i, j)| {
+                let middle = self.levels(std::array::from_fn(|k| (cones[i][k] + cones[j][k]) / 2.0));
+                (0..3).all(|k| (middle[k] - (levels[i][k] + levels[j][k]) / 2.0).abs() <= FLATNESS)
+            })
     }
 
     /// A row of pixels: the first has the cone roots `start`, each next one `step` more.
