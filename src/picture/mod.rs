@@ -5,9 +5,11 @@
 
 mod clip;
 mod error;
+mod figure;
 mod grid;
 mod list;
 mod mesh;
+mod options;
 mod raster;
 mod scalar;
 mod shade;
@@ -18,8 +20,10 @@ mod thin;
 mod viewport;
 
 pub use error::PaintError;
+pub use figure::{FigureOptions, figure};
 pub use grid::{GridStep, grid_step};
 pub use list::{DisplayList, Item, Layer, Mesh, Path, StrokeStyle};
+pub use options::PictureOptions;
 pub use raster::paint;
 pub use scalar::viridis;
 pub use svg::to_svg;

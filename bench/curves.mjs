@@ -1,0 +1,84 @@
+/** A curves document from an edit to its picture. Every run edits the document, so that nothing comes from the cache. */
+import { readFile } from "node:fs/promises";
+
+const amoeba = JSON.parse(await readFile(new URL("../www/presets/amoeba.json", import.meta.url), "utf8"));
+
+/** Returns ever new documents: a control point moves by a thousandth each time. */
+function edits(/** @type {[number, number]} */ counts) {
+  let run = 0;
+  return () => {
+    const document = structuredClone(amoeba);
+    document.sampling.counts = counts;
+    document.curves[1].points[2][0] += ++run * 1e-3;
+    return document;
+  };
+}
+
+const frame = { width: 800, height: 600, s: 0.4 };
+
+/** @type {import("../scripts/lib/bench.mjs").Case[]} */
+export default [
+  {
+    name: "edit to painted 800 x 600 picture, 44 x 44",
+    budget: 16,
+    prepare(dx) {
+      const next = edits([44, 44]);
+      return () => dx.paint(next(), frame);
+    },
+  },
+  {
+    name: "greedy matching with visibility, 44 x 44",
+    budget: 8,
+    prepare(dx) {
+      const next = edits([44, 44]);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "greedy matching with visibility, 200 x 200",
+    budget: 40,
+    prepare(dx) {
+      const next = edits([200, 200]);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "greedy matching with visibility, 1000 x 1000",
+    prepare(dx) {
+      const next = edits([1000, 1000]);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "picture alone 800 x 600",
+    prepare: (dx) => () => dx.paint(amoeba, frame),
+  },
+  {
+    name: "picture alone 2200 x 1600, pixel ratio 2",
+    prepare: (dx) => () => dx.paint(amoeba, { width: 2200, height: 1600, pixelRatio: 2, s: 0.4 }),
+  },
+  {
+    name: "picture as SVG",
+    prepare: (dx) => () => dx.svg(amoeba, frame),
+  },
+  {
+    name: "in-between frame at 200 lines, painted",
+    prepare(dx) {
+      const document = edits([200, 200])();
+      let s = 0;
+      return () => dx.paint(document, { ...frame, s: (s += 0.01) % 1 });
+    },
+  },
+  {
+    name: "in-between curves at 200 lines, 5 stages",
+    budget: 4,
+    prepare(dx) {
+      const document = edits([200, 200])();
+      return () => dx.stages(document);
+    },
+  },
+  {
+    name: "probe",
+    prepare: (dx) => () => dx.probe(amoeba, [45, 0]),
+  },
+];

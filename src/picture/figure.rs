@@ -1,0 +1,238 @@
+//! The picture of a solved document.
+
+use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use crate::document::{Diagnostic, LayerName, Outcome, Solution};
+use crate::matching::Matching;
+use crate::material::{Oklab, mix_colors};
+use crate::morph::{Band, unit_cells};
+use glam::DVec2;
+
+/// What to show of a solved document.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FigureOptions {
+    /// Layers shown; the two curves are shown always.
+    pub layers: Vec<LayerName>,
+    /// Colours and strokes.
+    pub theme: Theme,
+    /// Whether the canvas is filled; else it is transparent.
+    pub background: bool,
+    /// Place of the current in-between curve, from 0 on the first curve to 1 on the second.
+    pub s: Option<f64>,
+    /// Index of a ruling line to lift out.
+    pub line: Option<usize>,
+}
+
+/// Chord error of the drawn curves in device pixels: below what anti-aliasing shows.
+const CHORD_ERROR: f64 = 0.05;
+/// Length of drawn normals, in CSS pixels.
+const NORMAL_LENGTH: f64 = 14.0;
+/// Radius of the ring round a vertex without a line, and size of the cross at a witness, in CSS pixels.
+const RING_RADIUS: f32 = 5.0;
+const CROSS_SIZE: f32 = 11.0;
+/// Pictures whose shorter side is less than this, in CSS pixels, have thinner lines and no sample dots.
+const SMALL: f64 = 420.0;
+
+/// Draws a solved document for a view. Layers whose data are missing, such as the band of an incomplete matching, stay empty.
+#[must_use]
+pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport) -> DisplayList {
+    let is_small = f64::from(viewport.width.min(viewport.height)) < SMALL * viewport.pixel_ratio;
+    let theme = if is_small { options.theme.compact() } else { options.theme };
+    let mut drawing = Drawing {
+        solution,
+        options,
+        theme,
+        is_small,
+        unit: viewport.pixel_ratio / viewport.scale,
+        outlines: outlines(solution, CHORD_ERROR / viewport.scale),
+        list: DisplayList::new(options.background.then_some(theme.canvas)),
+    };
+    drawing.grid();
+    if let Some(band) = solution.band() {
+        drawing.material(band);
+        drawing.in_betweens(band);
+    }
+    if let Outcome::Matched { matching, .. } = &solution.outcome {
+        drawing.lines(matching);
+    }
+    if let (Some(band), Some(s)) = (solution.band(), options.s) {
+        drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
+    }
+    drawing.boundaries();
+    drawing.samples();
+    drawing.witnesses();
+    drawing.control_polygons();
+    drawing.list
+}
+
+/// The two curves as closed polylines within a chord error in document units.
+fn outlines(solution: &Solution, tolerance: f64) -> Path {
+    let finest = solution.model.bounds().diagonal() * 1e-6;
+    let rings = solution
+        .model
+        .curves()
+        .each_ref()
+        .map(|curve| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, point)| point).collect());
+    Path { rings: rings.into(), closed: true }
+}
+
+struct Drawing<'a> {
+    solution: &'a Solution,
+    options: &'a FigureOptions,
+    theme: Theme,
+    is_small: bool,
+    /// Document units in one CSS pixel.
+    unit: f64,
+    outlines: Path,
+    list: DisplayList,
+}
+
+impl Drawing<'_> {
+    fn shows(&self, layer: LayerName) -> bool {
+        self.options.layers.contains(&layer)
+    }
+
+    fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
+        self.list.push(layer, Item::Stroke { path, style });
+    }
+
+    fn cased(&mut self, layer: &str, path: Path, style: Cased) {
+        self.stroke(layer, path.clone(), style.halo);
+        self.stroke(layer, path, style.line);
+    }
+
+    fn grid(&mut self) {
+        if self.shows(LayerName::Grid) {
+            self.list.push("grid", Item::Grid { minor: self.theme.grid_minor, major: self.theme.grid_major });
+        }
+    }
+
+    fn material(&mut self, band: &Band) {
+        let colors: Vec<Oklab> =
+            self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect();
+        let mesh = if self.shows(LayerName::UnitCells) {
+            flat_cells(band, self.solution.model.document().blend.stages, &colors)
+        } else if self.shows(LayerName::Material) {
+            smooth_band(band, &colors)
+        } else {
+            return;
+        };
+        self.list.push("material", Item::Mesh { mesh, outline: self.outlines.clone(), opacity: 1.0 });
+    }
+
+    fn in_betweens(&mut self, band: &Band) {
+        if self.shows(LayerName::InBetweens) {
+            let stages = self.solution.model.document().blend.stages;
+            let rings = (1..stages).map(|j| band.in_between(j as f64 / stages as f64)).collect();
+            self.stroke("in-betweens", Path { rings, closed: true }, self.theme.in_between);
+        }
+    }
+
+    fn lines(&mut self, matching: &Matching) {
+        let [first, second] = self.solution.model.samples();
+        let segments: Vec<Vec<DVec2>> =
+            matching.lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
+        if self.shows(LayerName::Value) {
+            let values = matching.lines.iter().map(|line| line.value);
+            let (low, high) =
+                values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
+            for (line, segment) in matching.lines.iter().zip(&segments) {
+                let share = if high > low { (line.value - low) / (high - low) } else { 1.0 };
+                let style = StrokeStyle::solid(2.0, viridis(share), 1.0);
+                self.stroke("value", Path::open(segment.clone()), style);
+            }
+        } else if self.shows(LayerName::RulingLines) {
+            let path = Path { rings: segments.clone(), closed: false };
+            self.stroke("ruling-lines", path, self.theme.ruling_line);
+        }
+        if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
+            self.cased("line", Path::open(segment.clone()), self.theme.probe);
+        }
+    }
+
+    fn boundaries(&mut self) {
+        self.stroke("curves", self.outlines.clone(), self.theme.boundary);
+    }
+
+    fn samples(&mut self) {
+        for samples in self.solution.model.samples() {
+            if self.shows(LayerName::Normals) {
+                let length = NORMAL_LENGTH * self.unit;
+                let ends = samples.points.iter().zip(&samples.normals);
+                let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
+                self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
+            }
+            if self.shows(LayerName::Samples) && !self.is_small {
+                let dots = Item::Dots {
+                    centers: samples.points.clone(),
+                    radius_px: self.theme.sample_radius,
+                    color: self.theme.sample,
+                    opacity: 1.0,
+                };
+                self.list.push("samples", dots);
+            }
+        }
+    }
+
+    /// Marks what is wrong: vertices without a line, corners of a crossing, places where curves meet.
+    fn witnesses(&mut self) {
+        let style = StrokeStyle { dash: None, width_px: 2.0, ..self.theme.error };
+        if let (Outcome::Matched { matching, .. }, true) =
+            (&self.solution.outcome, self.shows(LayerName::Unconnected))
+        {
+            let bare = self.solution.model.samples().iter().zip(&matching.totals.uncovered);
+            let centers: Vec<DVec2> =
+                bare.flat_map(|(samples, bare)| bare.iter().map(|&vertex| samples.points[vertex])).collect();
+            if !centers.is_empty() {
+                self.list.push("unconnected", Item::Rings { centers, radius_px: RING_RADIUS, style });
+            }
+        }
+        let fault = match &self.solution.outcome {
+            Outcome::Refused(error) => error.at,
+            Outcome::Unmatched | Outcome::Matched { .. } => None,
+        };
+        let meeting = self.solution.diagnostics.iter().find_map(|diagnostic| match diagnostic {
+            Diagnostic::Crossing { at } => Some(*at),
+            Diagnostic::CoarseSampling { at } => *at,
+            _ => None,
+        });
+        let centers: Vec<DVec2> = fault.into_iter().chain(meeting).collect();
+        if !centers.is_empty() {
+            self.list.push("witness", Item::Crosses { centers, size_px: CROSS_SIZE, style });
+        }
+    }
+
+    fn control_polygons(&mut self) {
+        if self.shows(LayerName::ControlPoints) {
+            let rings = self.solution.model.curves().iter().map(|curve| curve.points().to_vec()).collect();
+            self.stroke("control-polygons", Path { rings, closed: true }, self.theme.control_polygon);
+        }
+    }
+}
+
+/// The band as a strip of triangles, with the colour of the composition at every end of a ruling.
+fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
+    let rulings = band.rulings();
+    let mut mesh = Mesh::default();
+    for ruling in rulings {
+        mesh.vertices.extend([ruling.from, ruling.to]);
+        mesh.colors.extend(ruling.ends.each_ref().map(|end| mix_colors(colors, end)));
+    }
+    let count = rulings.len() as u32;
+    for k in 0..count {
+        let (this, next) = (2 * k, 2 * ((k + 1) % count));
+        mesh.triangles.extend([[this, this + 1, next], [next, this + 1, next + 1]]);
+    }
+    mesh
+}
+
+/// The band as unit cells, each in the one colour of its mean composition.
+fn flat_cells(band: &Band, stages: usize, colors: &[Oklab]) -> Mesh {
+    let mut mesh = Mesh::default();
+    for cell in unit_cells(band, stages) {
+        let start = mesh.vertices.len() as u32;
+        mesh.vertices.extend(cell.corners);
+        mesh.colors.extend([mix_colors(colors, &cell.composition); 4]);
+        mesh.triangles.extend([[start, start + 1, start + 2], [start, start + 2, start + 3]]);
+    }
+    mesh
+}

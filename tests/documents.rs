@@ -1,0 +1,425 @@
+//! Documents from end to end: the presets, every refusal of a shape, what a solution carries, and random input.
+
+mod support;
+
+use directrix::document::Json;
+use directrix::document::{Code, Diagnostic, DocumentError, Outcome, Solution, Solve, read_text, write_text};
+use directrix::matching::blocking_edge;
+use directrix::picture::{PictureOptions, figure, paint, to_svg};
+use glam::{DVec2, dvec2};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+use std::path::Path;
+use support::seeded;
+
+fn ring(radius: f64, count: usize, center: DVec2) -> Value {
+    let point = |k: usize| center + radius * DVec2::from_angle(TAU * k as f64 / count as f64);
+    (0..count).map(|k| json!(point(k).to_array())).collect()
+}
+
+fn pair(inner: Value, outer: Value) -> Value {
+    json!({
+        "directrix": 1, "kind": "curves", "matching": {"method": "greedy"},
+        "curves": [
+            {"degree": 3, "form": "periodic", "points": inner},
+            {"degree": 3, "form": "periodic", "points": outer},
+        ],
+    })
+}
+
+fn rings() -> Value {
+    pair(ring(10.0, 12, DVec2::ZERO), ring(30.0, 12, DVec2::ZERO))
+}
+
+fn solve(document: &Value) -> Result<Solution, DocumentError> {
+    Solve::run(read_text(&document.to_string())?)
+}
+
+/// Solves, and turns a refusal of the geometry into the error that `match` throws.
+fn matched(document: &Value) -> Result<Solution, DocumentError> {
+    let solution = solve(document)?;
+    match &solution.outcome {
+        Outcome::Refused(error) => Err(error.clone()),
+        Outcome::Unmatched | Outcome::Matched { .. } => Ok(solution),
+    }
+}
+
+fn refused(document: &Value, code: Code, path: &str) -> DocumentError {
+    let error = matched(document).expect_err("refused");
+    assert_eq!((error.code, error.path.as_str()), (code, path), "{error}");
+    error
+}
+
+fn codes(solution: &Solution) -> Vec<&'static str> {
+    solution.diagnostics.iter().map(Diagnostic::code).collect()
+}
+
+#[test]
+fn presets_are_matched_completely() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/presets");
+    let index = std::fs::read_to_string(folder.join("index.json")).expect("the list of presets");
+    let index: Value = serde_json::from_str(&index).expect("JSON");
+    let presets = index.as_array().expect("a list");
+    assert!(presets.len() >= 4);
+    for preset in presets {
+        let id = preset["id"].as_str().expect("an id");
+        let text = std::fs::read_to_string(folder.join(format!("{id}.json"))).expect("the preset");
+        let document = read_text(&text).expect("a valid document");
+        assert!(text.contains("\"method\": \"greedy\"") && text.contains("\"oneToOne\": false"), "{id}");
+        assert_eq!(Some(document.title.as_str()), preset["title"].as_str());
+        let solution = Solve::run(document).expect("valid curves");
+        let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("{id} is not matched") };
+        assert!(
+            matching.is_complete() && solution.diagnostics.is_empty(),
+            "{id}: {:?}",
+            solution.diagnostics
+        );
+        assert!(
+            matching.totals.eta.is_some_and(|eta| eta > 0.8 && eta <= 1.0),
+            "{id}: {:?}",
+            matching.totals
+        );
+    }
+}
+
+#[test]
+fn concentric_circles_and_offset_curves_have_eta_one() {
+    let solution = matched(&rings()).expect("valid");
+    let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("matched") };
+    let eta = matching.totals.eta.expect("covered");
+    assert!((eta - 1.0).abs() < 1e-12, "equal counts, aligned seams: {eta}");
+
+    // The samples of an offset curve: the same parameters, moved along the normal by a distance below the least radius of
+    // curvature. The value of every line is then d^-2 and nothing is better.
+    let curve = &solution.model.curves()[1];
+    let wavy = pair(
+        ring(1.0, 5, DVec2::ZERO),
+        json!([[40, 0], [25, 25], [0, 30], [-30, 28], [-42, 0], [-20, -30], [10, -38]]),
+    );
+    let wavy = matched(&wavy).expect("valid");
+    let base = &wavy.model.samples()[1];
+    for distance in [0.5, 2.0] {
+        let outset: Vec<DVec2> =
+            base.points.iter().zip(&base.normals).map(|(p, n)| *p + distance * *n).collect();
+        let outline =
+            |points: &[DVec2]| directrix::matching::Outline::new(points.to_vec(), base.normals.clone());
+        let problem = directrix::matching::Problem::new(
+            [outline(&base.points), outline(&outset)],
+            directrix::matching::Weights::default(),
+            0.0,
+        )
+        .expect("an offset curve lies outside");
+        let totals = directrix::matching::greedy(&problem).totals;
+        assert!((totals.eta.expect("covered") - 1.0).abs() < 1e-12, "{distance}: {:?}", totals.eta);
+        assert!((totals.integral.expect("covered") * distance * distance - 1.0).abs() < 1e-9);
+    }
+    assert!(curve.length() > 0.0);
+}
+
+#[test]
+fn band_of_an_annulus_has_its_radii_and_fractions() {
+    let solution = matched(&rings()).expect("valid");
+    let band = solution.band().expect("complete");
+    let radius = |curve: usize| solution.model.curves()[curve].point(0.0).length();
+    let (near, far) = (radius(0), radius(1));
+    for s in [0.0, 0.2, 0.5, 1.0] {
+        for point in band.in_between(s) {
+            // A cubic spline on 12 points is round to 1e-3.
+            assert!((point.length() - (near + s * (far - near))).abs() < 2e-3 * far);
+        }
+    }
+    for (angle, share) in [(0.1, 0.3), (2.0, 0.75), (4.4, 0.01), (6.2, 0.99)] {
+        let point = (near + share * (far - near)) * DVec2::from_angle(angle);
+        let place = band.locate(point).expect("inside the band");
+        assert!((place.s - share).abs() < 2e-3, "{} at {share}", place.s);
+        let fractions = place.composition.fractions();
+        assert!((fractions[1] - place.s).abs() < 1e-12, "two pure materials");
+        assert!((fractions.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(band.locate(DVec2::ZERO), None);
+    assert_eq!(band.locate(dvec2(100.0, 0.0)), None);
+    let cells = directrix::morph::unit_cells(band, 5);
+    let area: f64 = cells.iter().map(|cell| directrix::geom::signed_area(&cell.corners)).sum();
+    let sectors = solution.model.samples()[0].points.len() as f64;
+    let exact = sectors / 2.0 * (TAU / sectors).sin() * (far * far - near * near);
+    assert!((area / exact - 1.0).abs() < 2e-3, "cells tile the ring of {sectors} sectors");
+}
+
+#[test]
+fn every_refusal_of_a_curve_names_its_field() {
+    let edit = |pointer: &str, value: Value| {
+        let mut document = rings();
+        *document.pointer_mut(pointer).expect("a field") = value;
+        document
+    };
+    let with = |field: &str, value: Value| {
+        let mut document = rings();
+        document["curves"][1][field] = value;
+        document
+    };
+    let error =
+        refused(&edit("/curves/0/points", json!([[0, 0], [1, 0], [0, 1]])), Code::Points, "curves[0].points");
+    assert!(error.message.contains('4'), "{error}");
+    refused(&edit("/curves/0/degree", json!(1)), Code::Range, "curves[0].degree");
+    refused(&edit("/curves/0/degree", json!(33)), Code::Range, "curves[0].degree");
+    refused(
+        &edit("/curves/1/points", json!([[5, 5], [5, 5], [5, 5], [5, 5]])),
+        Code::ZeroLength,
+        "curves[1].points",
+    );
+    refused(&edit("/curves/1/points/3", json!([1e300, 0])), Code::Range, "curves[1].points[3]");
+    refused(&edit("/curves/1/points", ring(30.0, 2001, DVec2::ZERO)), Code::Limit, "curves[1].points");
+    refused(&edit("/curves/1/form", json!("clamped")), Code::Points, "curves[1].points[11]");
+    let decreasing: Vec<f64> = (0..13).map(|k| if k == 6 { 4.0 } else { f64::from(k) }).collect();
+    refused(&with("knots", json!(decreasing)), Code::Knots, "curves[1].knots[6]");
+    let crowded: Vec<f64> = (0..13).map(|k| if (5..9).contains(&k) { 5.0 } else { f64::from(k) }).collect();
+    refused(&with("knots", json!(crowded)), Code::Knots, "curves[1].knots[5]");
+    refused(&with("knots", json!([0, 1, 2])), Code::Knots, "curves[1].knots");
+    refused(
+        &with("composition", json!([{"at": 0, "mix": [1]}])),
+        Code::Range,
+        "curves[1].composition[0].mix",
+    );
+    refused(
+        &with("composition", json!([{"at": 0, "mix": [0.5, 0.6]}])),
+        Code::Range,
+        "curves[1].composition[0].mix",
+    );
+    refused(&with("composition", json!([])), Code::Range, "curves[1].composition");
+    refused(&with("composition", json!([{"at": 1, "mix": [1, 0]}])), Code::Range, "curves[1].composition");
+    let mut document = rings();
+    document["materials"] = json!([{"name": "a", "color": "red"}]);
+    refused(&document, Code::Range, "materials[0].color");
+}
+
+#[test]
+fn curves_that_meet_are_refused_with_the_place() {
+    let eight = json!([[10, 0], [10, 10], [-10, -10], [-10, 0], [-10, 10], [10, -10]]);
+    let error =
+        refused(&pair(eight, ring(40.0, 12, DVec2::ZERO)), Code::SelfIntersection, "curves[0].points");
+    assert!(error.at.expect("a place").length() < 3.0, "{error}");
+    let error = refused(
+        &pair(ring(10.0, 12, dvec2(22.0, 0.0)), ring(30.0, 12, DVec2::ZERO)),
+        Code::Contact,
+        "curves[1].points",
+    );
+    let at = error.at.expect("a place");
+    assert!((at.length() - 28.66).abs() < 0.5, "on the outer curve: {at}");
+    let same = refused(
+        &pair(ring(10.0, 12, DVec2::ZERO), ring(10.0, 12, DVec2::ZERO)),
+        Code::Contact,
+        "curves[1].points",
+    );
+    assert!(same.at.is_some());
+}
+
+#[test]
+fn geometry_that_cannot_be_matched_is_explained() {
+    let apart = matched(&pair(ring(10.0, 12, dvec2(50.0, 0.0)), ring(10.0, 12, DVec2::ZERO))).expect("valid");
+    assert!(!apart.is_complete());
+    assert_eq!(codes(&apart), ["disjoint"]);
+
+    let mut crossing = pair(ring(10.0, 12, dvec2(22.0, 0.0)), ring(30.0, 12, DVec2::ZERO));
+    crossing["curves"][0]["height"] = json!(5);
+    assert_eq!(codes(&matched(&crossing).expect("valid")), ["crossing"]);
+
+    // A thin ring sampled with triangles: the chords of the outer one cut the inner one.
+    let mut coarse = pair(ring(29.0, 12, DVec2::ZERO), ring(30.0, 12, DVec2::ZERO));
+    coarse["sampling"] = json!({"counts": [60, 3]});
+    assert_eq!(codes(&matched(&coarse).expect("valid")), ["coarse-sampling"]);
+    coarse["sampling"] = json!({"counts": [60, 60]});
+    assert!(matched(&coarse).expect("valid").is_complete(), "finer samples mend it");
+}
+
+#[test]
+fn vertices_that_see_nothing_are_named_and_the_partial_result_is_sound() {
+    // A C that nearly closes round its own hollow.
+    let c: Vec<[f64; 2]> = (0..=24)
+        .map(|k| 0.25 + (TAU - 0.5) * f64::from(k) / 24.0)
+        .map(|t| [20.0 * t.cos(), 20.0 * t.sin()])
+        .chain(
+            (0..=24)
+                .rev()
+                .map(|k| 0.25 + (TAU - 0.5) * f64::from(k) / 24.0)
+                .map(|t| [14.0 * t.cos(), 14.0 * t.sin()]),
+        )
+        .collect();
+    let mut document = pair(json!(c), ring(40.0, 12, DVec2::ZERO));
+    document["sampling"] = json!({"counts": [80, 44]});
+    let solution = matched(&document).expect("valid");
+    assert!(!solution.is_complete() && solution.band().is_none());
+    let Outcome::Matched { problem, matching, .. } = &solution.outcome else { panic!("partial lines") };
+    assert!(!matching.lines.is_empty());
+    let blind: Vec<usize> =
+        (0..80).filter(|&i| (0..44).all(|j| blocking_edge(problem.outlines(), i, j).is_some())).collect();
+    let named = solution.diagnostics.iter().find_map(|diagnostic| match diagnostic {
+        Diagnostic::Orphan { curve: 0, vertices } => Some(vertices.clone()),
+        _ => None,
+    });
+    assert_eq!(named, Some(blind));
+    assert_eq!((matching.totals.crossings, matching.totals.blocked), (0, 0));
+}
+
+#[test]
+fn corners_are_accepted_and_named() {
+    let square = json!([[-10, -10], [-10, -10], [-10, -10], [10, -10], [10, 10], [-10, 10]]);
+    let solution = matched(&pair(square, ring(40.0, 12, DVec2::ZERO))).expect("valid");
+    assert!(solution.is_complete());
+    assert_eq!(codes(&solution), ["corner"]);
+    let normals = &solution.model.samples()[0].normals;
+    assert!(normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-12));
+}
+
+#[test]
+fn drawing_direction_and_order_of_the_curves_do_not_matter() {
+    let points = |turn: f64| -> Vec<[f64; 2]> {
+        (0..10)
+            .map(|k| f64::from(k) * TAU / 10.0)
+            .map(|t| {
+                let r = 12.0 + 4.0 * (2.0 * t + turn).cos();
+                [r * t.cos(), r * t.sin()]
+            })
+            .collect()
+    };
+    let outer: Vec<[f64; 2]> = points(1.0).iter().map(|[x, y]| [3.0 * x, 3.0 * y]).collect();
+    let clockwise: Vec<[f64; 2]> = outer.iter().rev().copied().collect();
+    let eta = |document: &Value| {
+        let solution = matched(document).expect("valid");
+        let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("matched") };
+        (solution.model.reversed(), matching.totals.eta.expect("covered"))
+    };
+    let (straight, eta_straight) = eta(&pair(json!(points(0.3)), json!(outer)));
+    let (turned, eta_turned) = eta(&pair(json!(points(0.3)), json!(clockwise)));
+    assert_eq!((straight, turned), ([false, false], [false, true]));
+    // The seam moves with the drawing direction, and the samples with it.
+    assert!((eta_straight - eta_turned).abs() < 0.02);
+    let (_, eta_swapped) = eta(&pair(json!(outer), json!(points(0.3))));
+    assert!((eta_straight - eta_swapped).abs() < 1e-12);
+}
+
+/// Values that a careless hand or program may put anywhere.
+fn junk() -> impl Strategy<Value = Value> {
+    prop_oneof![
+        Just(Value::Null),
+        Just(json!(-1)),
+        Just(json!(0)),
+        Just(json!(1e300)),
+        Just(json!(1e-300)),
+        Just(json!("")),
+        Just(json!([])),
+        Just(json!({})),
+        Just(json!(true)),
+        Just(json!([[0, 0], [0, 0]])),
+        any::<f64>().prop_map(|x| json!(x)),
+    ]
+}
+
+/// Puts a value at the place that `pick` chooses among all places of a document.
+fn mutate(document: &mut Value, pick: usize, value: Value) {
+    fn places(value: &Value, path: String, all: &mut Vec<String>) {
+        all.push(path.clone());
+        match value {
+            Value::Array(items) => {
+                items.iter().enumerate().for_each(|(k, v)| places(v, format!("{path}/{k}"), all))
+            }
+            Value::Object(map) => map.iter().for_each(|(k, v)| places(v, format!("{path}/{k}"), all)),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    places(document, String::new(), &mut all);
+    *document.pointer_mut(&all[pick % all.len()]).expect("a place") = value;
+}
+
+#[test]
+fn mutated_documents_never_panic() {
+    let mut full: Value = rings();
+    full["sampling"] = json!({"scheme": "parameter", "counts": [9, 11]});
+    full["blend"] = json!({"kind": "ruled", "stages": 3});
+    full["view"] =
+        json!({"s": 0.5, "center": [0, 0], "span": 90, "layers": ["grid", "normals", "value", "unitCells"]});
+    full["curves"][0]["composition"] = json!([{"at": 0.25, "mix": [0.5, 0.5]}, {"at": 0.5, "mix": [0, 1]}]);
+    let (mut accepted, mut refused) = (0, 0);
+    let mutations = prop::collection::vec((any::<usize>(), junk()), 1..3);
+    seeded(3000, &mutations, |mutations| {
+        let mut document = full.clone();
+        for (pick, value) in mutations {
+            mutate(&mut document, pick, value);
+        }
+        match solve(&document) {
+            Err(error) => {
+                prop_assert!(!error.message.is_empty());
+                refused += 1;
+            }
+            Ok(solution) => {
+                draw(&solution);
+                accepted += 1;
+            }
+        }
+        Ok(())
+    });
+    assert!(accepted > 100 && refused > 1000, "{accepted} accepted, {refused} refused");
+}
+
+#[test]
+fn random_curves_never_panic_and_never_pass_a_false_certificate() {
+    // Half of the curves run once round the origin, so that many pairs are nested; the others run anywhere.
+    let radii = |range: std::ops::Range<f64>| prop::collection::vec((range, -50.0..50.0), 3..9);
+    let strategy = (radii(2.0..20.0), radii(15.0..50.0), any::<bool>(), 2_usize..5, 3_usize..40, 3_usize..40);
+    let mut complete = 0;
+    seeded(1500, &strategy, |(inner, outer, is_round, degree, a, b)| {
+        let list = |points: &[(f64, f64)]| -> Value {
+            let count = points.len() as f64;
+            let round = |k: usize, r: f64| (r * DVec2::from_angle(TAU * k as f64 / count)).to_array();
+            let place = |(k, &(x, y)): (usize, &(f64, f64))| if is_round { round(k, x) } else { [x, y] };
+            points.iter().enumerate().map(place).map(|p| json!(p)).collect()
+        };
+        let mut document = pair(list(&inner), list(&outer));
+        document["curves"][0]["degree"] = json!(degree);
+        document["curves"][1]["degree"] = json!(degree);
+        document["sampling"] = json!({"counts": [a, b]});
+        let Ok(solution) = solve(&document) else { return Ok(()) };
+        draw(&solution);
+        if let Outcome::Matched { matching, .. } = &solution.outcome {
+            prop_assert_eq!((matching.totals.crossings, matching.totals.blocked), (0, 0));
+            complete += u32::from(solution.is_complete());
+        }
+        Ok(())
+    });
+    assert!(complete > 200, "{complete} complete matchings");
+}
+
+#[test]
+fn random_text_never_panics() {
+    seeded(2000, &any::<Vec<u8>>(), |bytes| {
+        let text = String::from_utf8_lossy(&bytes);
+        prop_assert!(read_text(&text).is_err());
+        Ok(())
+    });
+}
+
+#[test]
+fn what_is_written_is_read_as_the_same_document() {
+    seeded(200, &prop::collection::vec((any::<f64>(), any::<f64>()), 4..8), |points| {
+        let points: Vec<[f64; 2]> =
+            points.iter().map(|&(x, y)| [x, y]).filter(|p| p.iter().all(|x| x.is_finite())).collect();
+        let Ok(document) = read_text(&pair(json!(points), ring(30.0, 12, DVec2::ZERO)).to_string()) else {
+            return Err(TestCaseError::fail("finite points are read"));
+        };
+        let text = write_text(&document).expect("finite");
+        prop_assert_eq!(read_text(&text), Ok(document));
+        Ok(())
+    });
+}
+
+/// Paints and writes a solution, small.
+fn draw(solution: &Solution) {
+    let options = r#"{"width": 60, "height": 40, "s": 0.3, "line": 2}"#;
+    let options = PictureOptions::read(&Json::parse(options).expect("JSON")).expect("valid options");
+    let viewport = options.viewport(&solution.model);
+    let list = figure(solution, &options.figure(&solution.model), &viewport);
+    let pixels = paint(&list, &viewport).expect("a picture");
+    assert_eq!(pixels.len(), 60 * 40 * 4);
+    assert!(to_svg(&list, &viewport, "t", "d").starts_with("<svg"));
+}

@@ -1,0 +1,175 @@
+/** The functions of the package in Node: shapes of their results, errors, and that the documentation names them all. */
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { DirectrixError, load } from "directrix";
+
+const root = new URL("../../", import.meta.url);
+const dx = await load({ module: "figure" });
+const amoeba = JSON.parse(await readFile(new URL("www/presets/amoeba.json", root), "utf8"));
+
+/**
+ * @param {() => unknown} call
+ * @returns {DirectrixError}
+ */
+function refused(call) {
+  try {
+    call();
+  } catch (error) {
+    assert.ok(error instanceof DirectrixError, String(error));
+    return error;
+  }
+  throw new assert.AssertionError({ message: "expected a refusal" });
+}
+
+test("match gives samples, lines in cyclic order and totals that certify them", () => {
+  const match = dx.match(amoeba);
+  assert.equal(match.ok, true);
+  assert.deepEqual(match.diagnostics, []);
+  assert.deepEqual(match.reversed, [false, false]);
+  assert.deepEqual(match.samples.map((samples) => samples.points.length), [44, 44]);
+  for (const { parameters, normals } of match.samples) {
+    assert.ok(parameters.every((u, k) => k === 0 || u > parameters[k - 1]));
+    assert.ok(normals.every(([x, y]) => Math.abs(Math.hypot(x, y) - 1) < 1e-12));
+  }
+  assert.ok(match.lines.every((line, k) => line.visible && (k === 0 || line.from >= match.lines[k - 1].from)));
+  const totals = match.totals.lines;
+  assert.ok(totals && totals.mean && totals.eta);
+  assert.equal(totals.count, match.lines.length);
+  assert.ok(Math.abs(totals.sum - match.lines.reduce((sum, line) => sum + line.value, 0)) < 1e-12);
+  assert.ok(totals.eta > 0.8 && totals.eta <= 1);
+  assert.deepEqual([totals.crossings, totals.blocked, totals.uncovered], [0, 0, [[], []]]);
+  assert.deepEqual([match.pairs, match.totals.pairs], [[], null]);
+  const ascending = (/** @type {0 | 1} */ axis) =>
+    match.reparameterisation.every((pair, k, all) => k === 0 || pair[axis] >= all[k - 1][axis]);
+  assert.ok(ascending(0) && ascending(1));
+});
+
+test("stages, cells and probe agree with the lines", () => {
+  const match = dx.match(amoeba);
+  const stages = dx.stages(amoeba);
+  assert.deepEqual(stages.map(({ s }) => s), [0, 0.2, 0.4, 0.6, 0.8, 1]);
+  const near = (/** @type {number[]} */ p, /** @type {number[]} */ q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 1e-9;
+  match.lines.forEach((line, k) => {
+    assert.ok(near(stages[0].points[k], match.samples[0].points[line.from]));
+    assert.ok(near(stages[5].points[k], match.samples[1].points[line.to]));
+  });
+  assert.equal(dx.stages(amoeba, { refine: 3 })[2].points.length, 3 * match.lines.length);
+
+  const cells = dx.cells(amoeba);
+  assert.equal(cells.length, 5 * match.lines.length);
+  assert.ok(cells.every(({ fractions }) => Math.abs(fractions.reduce((a, b) => a + b) - 1) < 1e-12));
+
+  const place = dx.probe(amoeba, [45, 0]);
+  assert.ok(place && place.s > 0 && place.s < 1);
+  assert.ok(Math.abs(place.fractions.reduce((a, b) => a + b) - 1) < 1e-12);
+  assert.equal(place.value, match.lines[place.line].value);
+  assert.ok(Math.abs(place.fractions[0] - (1 - place.s)) < 1e-12, "the first material fades along the line");
+  assert.equal(dx.probe(amoeba, [0, 0]), null);
+});
+
+test("pictures have the size asked for and show the view they say", () => {
+  const picture = dx.paint(amoeba, { width: 320, height: 200 });
+  assert.deepEqual([picture.width, picture.height, picture.data.length], [320, 200, 320 * 200 * 4]);
+  assert.deepEqual(dx.fit(amoeba, { width: 320, height: 200 }), picture.view);
+  assert.deepEqual([...picture.data.slice(0, 4)].map((level) => level > 200), [true, true, true, true]);
+  const bare = dx.paint(amoeba, { width: 320, height: 200, layers: [], background: false });
+  assert.equal(bare.data[3], 0, "transparent without a background");
+  const svg = dx.svg({ ...amoeba, title: "<b>&" }, { width: 320, height: 200 });
+  assert.match(svg, /^<svg/);
+  assert.match(svg, /&lt;b&gt;&amp;/);
+  assert.ok(!svg.includes("<b>"));
+  assert.ok(svg.length < 400_000, `${svg.length} bytes`);
+});
+
+test("inserting a control point keeps the shape", () => {
+  const finer = dx.insertPoint(amoeba, 1, 0.3);
+  assert.equal(finer.curves[1].points.length, amoeba.curves[1].points.length + 1);
+  const [before, after] = [dx.match(amoeba), dx.match(finer)];
+  after.samples[1].points.forEach(([x, y], k) => {
+    const [p, q] = before.samples[1].points[k];
+    assert.ok(Math.hypot(x - p, y - q) < 1e-6);
+  });
+});
+
+test("defaults are spelt out and stay the same when read again", () => {
+  const bare = { directrix: 1, kind: "curves", matching: { method: "greedy" }, curves: amoeba.curves };
+  const full = dx.defaults(/** @type {any} */ ({ ...bare, materials: amoeba.materials }));
+  assert.deepEqual(full.sampling, { scheme: "arc-length", counts: [44, 44] });
+  assert.equal(full.matching.oneToOne, false);
+  assert.deepEqual(dx.defaults(full), full);
+  assert.deepEqual(dx.defaults(JSON.stringify(full)), full, "text does as well");
+});
+
+test("errors carry code, path and place", () => {
+  const moved = structuredClone(amoeba);
+  moved.curves[1].points[2][1] = Number.NaN;
+  const error = refused(() => dx.match(moved));
+  assert.deepEqual([error.code, error.path], ["non-finite", "curves[1].points[2][1]"]);
+
+  for (const [edit, code, path] of /** @type {[(d: any) => void, string, string][]} */ ([
+    [(d) => (d.directrix = 2), "version", "directrix"],
+    [(d) => (d.kind = "part"), "not-yet", "kind"],
+    [(d) => (d.matching.method = "exact"), "not-yet", "matching.method"],
+    [(d) => (d.matching.colour = 1), "unknown-field", "matching.colour"],
+    [(d) => delete d.curves, "missing", "curves"],
+    [(d) => (d.curves[0].points = d.curves[0].points.slice(0, 2)), "points", "curves[0].points"],
+    [(d) => (d.curves[0].knots = [0, 1]), "knots", "curves[0].knots"],
+    [(d) => (d.sampling.counts = [44, 2000]), "limit", "sampling.counts[1]"],
+    [(d) => (d.curves[0].height = 1e300), "range", "curves[0].height"],
+    [(d) => (d.curves[0].points = [[1, 1], [1, 1], [1, 1], [1, 1]]), "zero-length", "curves[0].points"],
+  ])) {
+    const document = structuredClone(amoeba);
+    edit(document);
+    const found = refused(() => dx.match(document));
+    assert.deepEqual([found.code, found.path], [code, path], found.message);
+  }
+  assert.equal(refused(() => dx.match("{")).code, "syntax");
+  assert.equal(refused(() => dx.match('{"directrix": 1e999}')).code, "non-finite");
+  assert.equal(refused(() => dx.match(/** @type {any} */ (null))).code, "type");
+  assert.equal(refused(() => dx.match("[".repeat(100) + "]".repeat(100))).code, "limit");
+  assert.equal(refused(() => dx.paint(amoeba, /** @type {any} */ ({ width: 10 }))).path, "options.height");
+
+  const crossed = structuredClone(amoeba);
+  crossed.curves[0].points[0] = [200, 0];
+  const contact = refused(() => dx.match(crossed));
+  assert.ok(["contact", "self-intersection"].includes(contact.code));
+  assert.equal(contact.at?.length, 2);
+  assert.ok(dx.paint(crossed, { width: 60, height: 40 }).data.length > 0, "the curves are drawn all the same");
+});
+
+test("a job solves in steps and gives the same matching", () => {
+  const document = { ...amoeba, sampling: { scheme: "arc-length", counts: [300, 300] } };
+  const job = dx.job(document);
+  let last = 0;
+  let steps = 0;
+  for (let state = job.step(1); !state.done; state = job.step(1)) {
+    assert.ok(state.progress >= last && state.progress < 1);
+    last = state.progress;
+    steps++;
+  }
+  assert.ok(steps > 1, `${steps} steps`);
+  assert.equal(dx.match(document).ok, true);
+});
+
+test("both modules answer alike", async () => {
+  const full = await load();
+  assert.deepEqual(full.match(amoeba), dx.match(amoeba));
+  assert.equal(await load(), full, "loaded once");
+  await assert.rejects(load({ module: /** @type {any} */ ("half") }), RangeError);
+});
+
+test("docs/api.md names every function, option, layer and code", async () => {
+  const read = (/** @type {string} */ path) => readFile(new URL(path, root), "utf8");
+  const [api, format, types] = await Promise.all([read("docs/api.md"), read("docs/format.md"), read("js/directrix.d.ts")]);
+  for (const name of Object.keys(dx)) assert.match(api, new RegExp(`\`${name}\\(`), name);
+  for (const name of ["load", "connect", "DirectrixError"]) assert.match(api, new RegExp(`\`${name}`), name);
+  const union = (/** @type {string} */ type) => {
+    const body = types.split(`export type ${type} =`)[1].split(";")[0];
+    return [...body.matchAll(/"([^"]+)"/g)].map(([, name]) => name);
+  };
+  for (const code of union("ErrorCode")) assert.match(api, new RegExp(`\`${code}\``), code);
+  for (const layer of union("LayerName")) assert.match(format, new RegExp(`\`${layer}\``), layer);
+  const options = types.split("export interface PictureOptions")[1].split("\n}")[0];
+  for (const [, name] of options.matchAll(/^ {2}(\w+)\?:/gm)) assert.match(api, new RegExp(`\`${name}\``), name);
+});
