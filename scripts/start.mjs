@@ -17,7 +17,9 @@ async function serveOnFreePort() {
   if (chosen) {
     const port = Number(chosen);
     if (!Number.isInteger(port) || port < 0 || port > 65535) throw new Error(`PORT is ${chosen}: a number from 0 to 65535 is needed`);
-    return serve(dist, { port });
+    return serve(dist, { port }).catch((error) => {
+      throw code(error) === "EADDRINUSE" ? new Error(`PORT is ${port}: another program uses this port`) : error;
+    });
   }
   for (let port = firstPort; port < firstPort + ports; port++) {
     try {

@@ -5,9 +5,12 @@ import { join } from "node:path";
 import { root } from "./paths.mjs";
 import { run } from "./run.mjs";
 
+/** The package that the page can be built without. */
+const dispensable = "node_modules/binaryen";
+
 /**
  * Installs the packages when one of them is missing or has another version than the lock file says. Looks only at files, so
- * that it needs no network when nothing is to be done.
+ * that it needs no network when nothing is to be done. The optimiser, by far the largest of them, may have been left out.
  *
  * @type {import("./steps.mjs").Step}
  */
@@ -37,8 +40,9 @@ async function installed() {
   const [wanted, present] = await Promise.all([lock("package-lock.json"), lock("node_modules/.package-lock.json")]);
   return Object.entries(wanted).every(([path, entry]) => {
     if (path === "") return true;
-    if (!present[path]) return entry.optional === true;
-    return present[path].version === entry.version && existsSync(join(root, path));
+    const there = present[path] !== undefined && existsSync(join(root, path));
+    if (!there) return entry.optional === true || path === dispensable;
+    return present[path].version === entry.version;
   });
 }
 
