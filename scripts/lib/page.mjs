@@ -1,0 +1,28 @@
+/** The page, built by Vite into `dist`. */
+import { join } from "node:path";
+import { modulesReady } from "./modules.mjs";
+import { dist, root } from "./paths.mjs";
+import { run } from "./run.mjs";
+import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
+
+/** @type {import("./stamp.mjs").Made} */
+const made = {
+  from: ["www", "js", "vite.config.js", "package.json", "package-lock.json"].map((path) => join(root, path)),
+  to: [dist],
+};
+
+/** Vite's command line, run with Node. */
+export const vite = join(root, "node_modules/vite/bin/vite.js");
+
+/** @type {import("./steps.mjs").Step} */
+export const page = {
+  name: "page",
+  needs: ["packages", ...modulesReady],
+  async run(log) {
+    if (await isFresh("page", made)) return "fresh";
+    const before = await inputs(made);
+    await unmark("page");
+    await run(process.execPath, [vite, "build", "--logLevel", "warn"], { log });
+    await mark("page", made, before);
+  },
+};

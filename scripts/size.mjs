@@ -1,0 +1,103 @@
+/** `npm run size`: what a browser transfers, after `gzip -9`, next to the budgets. Fails above one. */
+import { readFile, readdir } from "node:fs/promises";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { moduleSteps } from "./lib/modules.mjs";
+import { page } from "./lib/page.mjs";
+import { dist, pkg, root } from "./lib/paths.mjs";
+import { build } from "./lib/steps.mjs";
+
+/**
+ * @typedef {object} Row
+ * @property {string} name
+ * @property {number} bytes after compression
+ * @property {number} [budget] in kilobytes of 1000
+ */
+
+/** @param {Uint8Array | string} content */
+const gzipped = (content) => gzipSync(content, { level: 9 }).length;
+
+/** @param {number[]} numbers */
+const sum = (numbers) => numbers.reduce((total, each) => total + each, 0);
+
+/** @param {string} file of the built page */
+const gzippedFile = async (file) => gzipped(await readFile(join(dist, file)));
+
+/**
+ * The API as a bundler hands it to a page that shows a figure: every file but those of the module `full`, which a figure of
+ * curves never asks for.
+ *
+ * @returns {Promise<{ name: string, bytes: number }[]>}
+ */
+async function figureFiles() {
+  const vite = await import("vite");
+  const built = await vite.build({
+    configFile: join(root, "vite.config.js"),
+    root,
+    logLevel: "warn",
+    build: {
+      write: false,
+      manifest: false,
+      rolldownOptions: { input: join(root, "js/index.js"), preserveEntrySignatures: "strict" },
+    },
+  });
+  if (!("output" in built)) throw new Error("Vite built more or less than one bundle");
+  return built.output
+    .filter((file) => !file.fileName.includes("directrix_full"))
+    .map((file) => ({ name: file.fileName, bytes: gzipped(file.type === "chunk" ? file.code : file.source) }));
+}
+
+/**
+ * What the page loads before it can paint: itself, its style sheets, and its script with all that this imports statically.
+ *
+ * @returns {Promise<string[]>}
+ */
+async function firstPaintFiles() {
+  /** @type {import("vite").Manifest} */
+  const manifest = JSON.parse(await readFile(join(dist, ".vite/manifest.json"), "utf8"));
+  const files = new Set(["index.html"]);
+  const chunks = new Set(["index.html"]);
+  for (const name of chunks) {
+    const chunk = manifest[name];
+    for (const file of [chunk.file, ...(chunk.css ?? [])]) files.add(file);
+    for (const other of chunk.imports ?? []) chunks.add(other);
+  }
+  return [...files];
+}
+
+/** @returns {Promise<string[]>} */
+async function distFiles() {
+  const entries = await readdir(dist, { recursive: true, withFileTypes: true });
+  return entries.filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath, entry.name).slice(dist.length + 1));
+}
+
+/** @returns {Promise<Row[]>} */
+async function measured() {
+  const figure = await figureFiles();
+  const [first, all] = await Promise.all([firstPaintFiles(), distFiles()]);
+  const module = gzipped(await readFile(join(pkg, "directrix_bg.wasm")));
+  return [
+    { name: "module figure", bytes: module, budget: 240 },
+    { name: "module full", bytes: gzipped(await readFile(join(pkg, "directrix_full_bg.wasm"))) },
+    { name: "embedded figure of curves", bytes: sum(figure.map((file) => file.bytes)), budget: 350 },
+    ...figure.map((file) => ({ name: `  ${file.name}`, bytes: file.bytes })),
+    { name: "page to its first paint", bytes: sum(await Promise.all(first.map(gzippedFile))), budget: 60 },
+    ...(await Promise.all(first.map(async (file) => ({ name: `  ${file}`, bytes: await gzippedFile(file) })))),
+    { name: "whole page", bytes: sum(await Promise.all(all.map(gzippedFile))) },
+  ];
+}
+
+/** @param {Row} row */
+const isOver = ({ bytes, budget }) => budget !== undefined && bytes > budget * 1000;
+
+async function size() {
+  console.log("kB of 1000 bytes after gzip -9");
+  for (const row of await measured()) {
+    const limit = row.budget === undefined ? "" : `of ${row.budget}${isOver(row) ? "  OVER" : ""}`;
+    console.log(`${row.name.padEnd(48)}${(row.bytes / 1000).toFixed(1).padStart(8)}  ${limit}`.trimEnd());
+    if (isOver(row)) process.exitCode = 1;
+  }
+}
+
+if (await build([...moduleSteps({ optimised: true }), page])) await size();
+else process.exitCode = 1;
