@@ -4,7 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Point, Probe } from "../types.js"
  */
-import { attribute, find, h, svg, write } from "../dom.js";
+import { attribute, find, h, svg } from "../dom.js";
 import { fixed, length, percent, significantText } from "../format.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
@@ -113,16 +113,21 @@ export function createProbe(app) {
       card.hidden = !probe || !view;
       marks.style.display = card.hidden ? "none" : "";
       if (!probe || !view) return;
-      const at = toScreen(view, size, probe.at);
+      const line = [toScreen(view, size, probe.from), toScreen(view, size, probe.to)];
+      const at = along(line, probe.s);
       attribute(ring, "cx", at[0].toFixed(1));
       attribute(ring, "cy", at[1].toFixed(1));
       if (probe !== shown) fill(card, app, probe);
       shown = probe;
-      const line = [toScreen(view, size, probe.from), toScreen(view, size, probe.to)];
       const [x, y] = beside(at, line, { width: card.offsetWidth, height: card.offsetHeight }, size);
       card.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
     },
   };
+}
+
+/** @param {Point[]} line @param {number} s @returns {Point} */
+function along([a = [0, 0], b = a], s) {
+  return [a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s];
 }
 
 /** @param {App} app @param {Probe} probe */
