@@ -98,7 +98,11 @@ test("a curve keeps as many points as its degree needs", async (t) => {
   for (let i = 0; i < curves[0].points.length; i += 1) await page.keyboard.press("Delete");
   const left = (await documentOf(page)).curves[0];
   assert.equal(left.points.length, left.degree + 1);
-  await eventually(async () => assert.match(await spoken(page), /at least/));
+  await eventually(async () => {
+    await page.keyboard.press("Delete");
+    await page.waitForTimeout(250);
+    assert.match(await spoken(page), /at least/);
+  });
 });
 
 test("the keyboard reads ruling lines one after the other", async (t) => {

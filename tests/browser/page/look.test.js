@@ -1,25 +1,25 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { screenshot } from "../support/screenshot.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, middle, status, uiOf } from "./workbench.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 };
 
-/** @param {import("playwright-core").Page} page */
-const canvasColor = (page) =>
-  page.locator("#picture").evaluate((element) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    // Away from grid lines: the most frequent colour of a strip along the edge.
-    const { data } = context.getImageData(0, 0, canvas.width, 8);
-    /** @type {Map<string, number>} */
-    const counts = new Map();
-    for (let i = 0; i < data.length; i += 4) {
-      const key = [data[i], data[i + 1], data[i + 2]].join(" ");
-      counts.set(key, (counts.get(key) ?? 0) + 1);
-    }
-    return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0];
-  });
+/**
+ * The colour of the canvas where nothing is drawn: the most frequent one along its upper edge.
+ * @param {import("playwright-core").Page} page
+ */
+async function canvasColor(page) {
+  const picture = await screenshot(page.locator("#stage"), "canvas");
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  for (let x = 0; x < picture.width; x += 1) {
+    const key = picture.at(x, 2).join(" ");
+    counts.set(key, (counts.get(key) ?? 0) + 1);
+  }
+  return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0];
+}
 
 test("dark and light follow the system, and the button overrides", async (t) => {
   const page = await openPage(t, { colorScheme: "dark" });

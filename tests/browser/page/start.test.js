@@ -63,7 +63,7 @@ test("where a policy blocks the module there is a plain message", async (t) => {
 
 test("without scripts there is a plain message", async (t) => {
   const page = await openRaw(t, { context: { javaScriptEnabled: false } });
-  await page.getByText("needs JavaScript").waitFor();
+  assert.match(await page.content(), /<noscript>[^]*needs JavaScript[^]*<\/noscript>/);
 });
 
 test("a failed computation is told, and the work goes on", async (t) => {

@@ -1,7 +1,7 @@
 /**
  * A menu below a button: arrows go through it, Escape closes it and gives the focus back.
  */
-import { attribute, h } from "../dom.js";
+import { attribute, find, h } from "../dom.js";
 
 /**
  * @typedef {object} Item
@@ -30,7 +30,7 @@ export function attachMenu(button, items, { wide = false } = {}) {
     closeOpen?.();
     const list = await items();
     menu.replaceChildren(...list.map((item) => (item === "line" ? h("div", { role: "separator" }) : entry(item))));
-    document.body.append(menu);
+    find("#bar").append(menu);
     place(menu, button);
     attribute(button, "aria-expanded", "true");
     closeOpen = close;

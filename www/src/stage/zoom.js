@@ -18,7 +18,7 @@ const IN = 400;
 /** Longest scale bar in pixels, and on a canvas narrower than `NARROW`. */
 const BAR = 160;
 const SHORT_BAR = 110;
-const NARROW = 900;
+const NARROW = 1060;
 
 /** @param {App} app */
 export function zoomLimits(app) {
