@@ -4,6 +4,7 @@
  * @import { App } from "./state/app.js"
  * @import { CurvesDocument } from "./types.js"
  */
+import { completed, imageData } from "./kernel.js";
 import { devicePixels, problem } from "./painter.js";
 import { FIRST_LAYERS, LAYERS } from "./state/app.js";
 import { strings } from "./strings.js";
@@ -34,7 +35,7 @@ export function splitView(document) {
  */
 export async function openDocument(app, raw, name) {
   try {
-    const { document, ui, place } = splitView(await app.kernel.defaults(raw));
+    const { document, ui, place } = splitView(await completed(app.kernel, raw));
     app.store.open(document);
     const { size } = app.ui.value;
     app.ui.set({
@@ -45,7 +46,7 @@ export async function openDocument(app, raw, name) {
       note: null,
       playing: false,
       fitted: place === null,
-      view: place ? { center: place.center, scale: size.width / place.span } : null,
+      view: place ? { center: place.center, scale: Math.min(size.width, size.height) / place.span } : null,
     });
     return true;
   } catch (error) {
@@ -86,7 +87,7 @@ export function documentWithView(app) {
   const { view, layers, s, size } = app.ui.value;
   return {
     ...app.store.document,
-    view: { layers, s, ...(view ? { center: view.center, span: size.width / view.scale } : {}) },
+    view: { layers, s, ...(view ? { center: view.center, span: Math.min(size.width, size.height) / view.scale } : {}) },
   };
 }
 
@@ -134,7 +135,7 @@ async function contents(app, kind) {
   if (kind === "svg") return new Blob([await app.kernel.svg(document, options)], { type: "image/svg+xml" });
   const picture = await app.kernel.paint(document, options);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
-  canvas.getContext("2d")?.putImageData(new ImageData(picture.data, picture.width, picture.height), 0, 0);
+  canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);
   return canvas.convertToBlob({ type: "image/png" });
 }
 

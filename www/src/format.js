@@ -63,7 +63,11 @@ export const milliseconds = (value) => (value < 1 ? "<1" : fixed(value, 0));
  * @param {string} text
  */
 export function parse(text) {
-  const plain = text.trim().replace(/[\u2009\u202f\u00a0 ]/g, "").replace(MINUS, "-").replace(",", ".");
+  const plain = text
+    .trim()
+    .replace(/[\u2009\u202f\u00a0 ]/g, "")
+    .replace(MINUS, "-")
+    .replace(",", ".");
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
   const value = Number(plain);
   return Number.isFinite(value) ? value : null;

@@ -33,9 +33,7 @@ export function icon(name, size = 16) {
   const box = svg("svg", { viewBox: "0 0 16 16", width: size, height: size, "aria-hidden": "true", class: "icon" });
   const solid = SOLIDS[name];
   box.append(
-    solid
-      ? svg("path", { d: solid, fill: "currentColor" })
-      : svg("path", { d: LINES[name] ?? "", class: "icon-line" }),
+    solid ? svg("path", { d: solid, fill: "currentColor" }) : svg("path", { d: LINES[name] ?? "", class: "icon-line" }),
   );
   return box;
 }

@@ -7,6 +7,7 @@
 import { connect } from "../../js/index.js";
 import { explain } from "./explain.js";
 import { splitView } from "./files.js";
+import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
 import { presetDocument, presets } from "./frame/gallery.js";
@@ -40,7 +41,7 @@ const root = document.documentElement;
 
 /** @returns {Promise<void>} */
 async function start() {
-  const kernel = /** @type {Kernel} */ (/** @type {unknown} */ (await connect({ module: "figure" })));
+  const kernel = await connect({ module: "figure" });
   const { document: first, edited, ui } = await firstDocument(kernel);
   const store = new Store(first);
   if (edited) store.open(first, true);
@@ -63,7 +64,7 @@ async function firstDocument(kernel) {
       // Kept by another version of the page that wrote what this one does not read.
     }
   }
-  const { document, ui } = splitView(await kernel.defaults(presetDocument(presets[0]?.id ?? "")));
+  const { document, ui } = splitView(await completed(kernel, presetDocument(presets[0]?.id ?? "")));
   const phone = matchMedia("(width < 600px)").matches;
   const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
   return { document, edited: false, ui: { ...ui, layers } };

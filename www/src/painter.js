@@ -79,7 +79,7 @@ export function createPainter(app) {
     else ui.set({ note: { tone: "error", text: message } });
   }
 
-  /** @param {boolean} fine @returns {PaintOptions} */
+  /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {
     const { size, view, layers, theme, s, probe } = ui.value;
     const full = window.devicePixelRatio || 1;

@@ -5,11 +5,13 @@
 /** @param {number} count @param {string} one @param {string} many */
 const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
+/** A curve's name inside a sentence: "Inner" becomes "inner", "U" stays. @param {string} name */
+export const inSentence = (name) => (/^.\p{Ll}/u.test(name) ? `${name.charAt(0).toLowerCase()}${name.slice(1)}` : name);
+
 /** @type {{[degree: number]: string}} */
 const DEGREES = { 2: "quadratic", 3: "cubic", 4: "quartic", 5: "quintic" };
 
 export const strings = {
-  app: "Directrix",
   workbench: "Curves",
   untitled: "Untitled",
 
@@ -45,8 +47,7 @@ export const strings = {
     scale: "Scale",
     legend: "Material fractions",
     probe: "Ruling lines",
-    probeHelp:
-      "Left and right go from one ruling line to the next, up and down along it. Escape closes the reading.",
+    probeHelp: "Left and right go from one ruling line to the next, up and down along it. Escape closes the reading.",
     drop: "Drop a document to open it",
   },
 
@@ -89,7 +90,8 @@ export const strings = {
     parameter: "Parameter",
     counts: "Samples",
     count: (/** @type {string} */ curve) => `Samples on ${curve}`,
-    phrase: (/** @type {string} */ scheme, /** @type {number} */ a, /** @type {number} */ b) => `${scheme} · ${a} : ${b}`,
+    phrase: (/** @type {string} */ scheme, /** @type {number} */ a, /** @type {number} */ b) =>
+      `${scheme} · ${a} : ${b}`,
   },
 
   matching: {
@@ -122,7 +124,7 @@ export const strings = {
     add: "Add material",
     remove: (/** @type {string} */ name) => `Remove ${name}`,
     fresh: (/** @type {number} */ index) => `Material ${index + 1}`,
-    along: (/** @type {string} */ curve) => `along the ${curve.toLowerCase()} curve`,
+    along: (/** @type {string} */ curve) => `along the ${inSentence(curve)} curve`,
     stops: (/** @type {number} */ count) => plural(count, "stop", "stops"),
     phrase: (/** @type {string[]} */ names) => (names.length > 3 ? `${names.length} materials` : names.join(", ")),
   },
@@ -200,7 +202,7 @@ export const strings = {
     contact: (/** @type {string} */ where) =>
       `The two curves touch${where}. Move one away, give them different heights, or undo.`,
     near: (/** @type {string} */ x, /** @type {string} */ y) => ` near (${x}, ${y})`,
-    curve: (/** @type {string} */ name) => `The ${name.toLowerCase()} curve`,
+    curve: (/** @type {string} */ name) => `The ${inSentence(name)} curve`,
     aCurve: "A curve",
     zeroLength: "A curve has no length. Move a point, or undo.",
     document: (/** @type {string} */ path, /** @type {string} */ message) =>

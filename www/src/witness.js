@@ -32,7 +32,10 @@ export function nextWitness(app, name) {
   if (!view) return;
   const [x, y] = toScreen(view, size, at);
   const inside =
-    x > size.width * MARGIN && x < size.width * (1 - MARGIN) && y > size.height * MARGIN && y < size.height * (1 - MARGIN);
+    x > size.width * MARGIN &&
+    x < size.width * (1 - MARGIN) &&
+    y > size.height * MARGIN &&
+    y < size.height * (1 - MARGIN);
   app.ui.set({ witness: at, ...(inside ? {} : { view: { ...view, center: at }, fitted: false }) });
   app.say(`${strings.status[name]} ${index + 1}: x ${coordinate(at[0])}, y ${coordinate(at[1])}`);
 }
@@ -50,7 +53,8 @@ function witnesses(match, name) {
   }
   const named = match.diagnostics.filter(({ code }) => CODES[name].includes(code));
   const places = named.flatMap(({ at, lines = [] }) => (at ? [at] : lines.map((line) => middleOf(match, line))));
-  const hidden = name === "blocked" ? match.lines.flatMap(({ visible }, i) => (visible ? [] : [middleOf(match, i)])) : [];
+  const hidden =
+    name === "blocked" ? match.lines.flatMap(({ visible }, i) => (visible ? [] : [middleOf(match, i)])) : [];
   return places.length > 0 ? places : hidden;
 }
 

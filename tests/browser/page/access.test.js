@@ -18,7 +18,10 @@ async function wrong(page) {
     const { violations } = await Reflect.get(globalThis, "axe").run(document, {
       runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
     });
-    return violations.map((/** @type {any} */ each) => `${each.id}: ${each.nodes.map((/** @type {any} */ n) => n.html.slice(0, 90)).join(" | ")}`);
+    return violations.map(
+      (/** @type {any} */ each) =>
+        `${each.id}: ${each.nodes.map((/** @type {any} */ n) => n.html.slice(0, 90)).join(" | ")}`,
+    );
   });
 }
 
@@ -57,7 +60,10 @@ test("axe does find what is wrong", async (t) => {
     document.querySelector("#bar")?.append(bad);
   });
   const found = await wrong(page);
-  assert.ok(found.some((each) => each.startsWith("button-name")), `${found}`);
+  assert.ok(
+    found.some((each) => each.startsWith("button-name")),
+    `${found}`,
+  );
 });
 
 test("the order of Tab: bar, reading, inner curve, outer curve, morph, zoom, inspector", async (t) => {
@@ -69,7 +75,14 @@ test("the order of Tab: bar, reading, inner curve, outer curve, morph, zoom, ins
     order.push(
       await page.evaluate(() => {
         const e = /** @type {HTMLElement} */ (document.activeElement);
-        return e.id || e.dataset.handle?.[0] || (e.dataset.play !== undefined ? "play" : null) || e.dataset.slider || e.dataset.zoom || e.dataset.groupButton;
+        return (
+          e.id ||
+          e.dataset.handle?.[0] ||
+          (e.dataset.play !== undefined ? "play" : null) ||
+          e.dataset.slider ||
+          e.dataset.zoom ||
+          e.dataset.groupButton
+        );
       }),
     );
   }
@@ -90,7 +103,8 @@ test("focus is always seen", async (t) => {
       };
       const e = document.activeElement;
       if (!e || e === document.body) return true;
-      const thumb = e.matches("input[type=range]") && getComputedStyle(e, "::-webkit-slider-thumb").outlineStyle !== undefined;
+      const thumb =
+        e.matches("input[type=range]") && getComputedStyle(e, "::-webkit-slider-thumb").outlineStyle !== undefined;
       return ringed(e) || ringed(e.nextElementSibling) || ringed(e.closest(".field")) || thumb;
     });
     assert.ok(seen, await page.evaluate(() => document.activeElement?.outerHTML.slice(0, 120)));

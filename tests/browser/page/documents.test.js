@@ -77,7 +77,9 @@ test("leaving and coming back keeps the work", async (t) => {
 test("the gallery opens every preset with a verdict, and each is one of its own", async (t) => {
   const page = await openPage(t);
   await page.locator("[data-action=gallery]").click();
-  const names = await page.locator("[role=menuitem]").evaluateAll((items) => items.map((item) => item.getAttribute("data-item") ?? ""));
+  const names = await page
+    .locator("[role=menuitem]")
+    .evaluateAll((items) => items.map((item) => item.getAttribute("data-item") ?? ""));
   assert.ok(names.length >= 4, `${names}`);
   await page.keyboard.press("Escape");
   const titles = new Set();

@@ -56,7 +56,10 @@ test("sampling, stages and the mode for negative products reach the document", a
   await field(page, "stages").fill("8");
   await page.keyboard.press("Enter");
   const { sampling, matching, blend } = await documentOf(page);
-  assert.deepEqual([sampling.counts[0], sampling.scheme, matching.negative, blend.stages], [30, "parameter", "clamp", 8]);
+  assert.deepEqual(
+    [sampling.counts[0], sampling.scheme, matching.negative, blend.stages],
+    [30, "parameter", "clamp", 8],
+  );
   await eventually(async () => assert.match(await status(page), /\d+\s*lines/));
   assert.equal(await page.locator("#morph-controls .ticks span").count(), 9);
 });
@@ -103,7 +106,8 @@ test("materials: colour, name and the curve that holds them", async (t) => {
 test("layers change the picture and nothing in the document", async (t) => {
   const page = await openPage(t);
   const before = JSON.stringify(await documentOf(page));
-  const picture = () => page.locator("#picture").evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const picture = () =>
+    page.locator("#picture").evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
   const first = await picture();
   await page.locator("[data-box=material]").uncheck();
   await eventually(async () => assert.notEqual(await picture(), first));

@@ -47,9 +47,17 @@ for (const [width, height] of [
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${wide} px too wide`);
     const overlapping = await page.evaluate(() => {
-      const parts = [...document.querySelectorAll("#bar button, #bar a, #bar input[type=text], #morph-controls > *, #zoom > *, .certificates > *, .remark > *")];
+      const parts = [
+        ...document.querySelectorAll(
+          "#bar button, #bar a, #bar input[type=text], #morph-controls > *, #zoom > *, .certificates > *, .remark > *",
+        ),
+      ];
       const boxes = parts
-        .map((part) => ({ name: part.outerHTML.slice(0, 60), box: part.getBoundingClientRect(), shown: part.checkVisibility() }))
+        .map((part) => ({
+          name: part.outerHTML.slice(0, 60),
+          box: part.getBoundingClientRect(),
+          shown: part.checkVisibility(),
+        }))
         .filter(({ box, shown }) => shown && box.width > 0);
       /** @type {string[]} */
       const found = [];
@@ -81,7 +89,10 @@ test("every handle is inside the canvas and clear of the controls when the page 
   const { curves } = await documentOf(page);
   for (let i = 1; i <= curves[1].points.length; i += 1) {
     const [x, y] = await middle(handle(page, `B${i}`));
-    assert.ok(x > stage.x + 6 && x < stage.x + stage.width - 6 && y > stage.y + 6 && y < morph.y - 4, `B${i} at ${x}, ${y}`);
+    assert.ok(
+      x > stage.x + 6 && x < stage.x + stage.width - 6 && y > stage.y + 6 && y < morph.y - 4,
+      `B${i} at ${x}, ${y}`,
+    );
   }
 });
 
@@ -144,7 +155,9 @@ test("a finger drags a point, two fingers zoom, and the page does not scroll", a
   assert.ok(await handle(page, "B3").evaluate((element) => element.classList.contains("touched")));
   for (const step of [1, 2, 3, 4]) await send("touchMove", [x + 9 - 8 * step, y + 9 + 5 * step]);
   await send("touchEnd");
-  await eventually(async () => assert.notDeepEqual((await documentOf(page)).curves[1].points[2], before.curves[1].points[2]));
+  await eventually(async () =>
+    assert.notDeepEqual((await documentOf(page)).curves[1].points[2], before.curves[1].points[2]),
+  );
   assert.deepEqual((await documentOf(page)).curves[0], before.curves[0]);
 
   const scale = (await uiOf(page)).view.scale;
@@ -165,7 +178,10 @@ test("touch targets of the sheet are at least 44 px high", async (t) => {
   const page = await openPage(t, PHONE);
   const small = await page.evaluate(() =>
     [...document.querySelectorAll("#inspector button, #inspector input, .field")]
-      .filter((element) => element.checkVisibility() && !element.matches("[data-grip], .segment input, .field input, .status button"))
+      .filter(
+        (element) =>
+          element.checkVisibility() && !element.matches("[data-grip], .segment input, .field input, .status button"),
+      )
       .map((element) => ({ name: element.outerHTML.slice(0, 70), height: element.getBoundingClientRect().height }))
       .filter(({ height }) => height < 44),
   );

@@ -1,7 +1,18 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./open.js";
-import { coordinates, documentOf, drag, eventually, handle, middle, onOutline, scaleOf, status, uiOf } from "./workbench.js";
+import {
+  coordinates,
+  documentOf,
+  drag,
+  eventually,
+  handle,
+  middle,
+  onOutline,
+  scaleOf,
+  status,
+  uiOf,
+} from "./workbench.js";
 
 test("a dragged point follows the pointer, and the certificates follow the point", async (t) => {
   const page = await openPage(t);
@@ -63,7 +74,9 @@ test("the wheel zooms about the pointer", async (t) => {
   await page.mouse.wheel(0, -300);
   await eventually(async () => {
     const now = await middle(handle(page, "B10"));
-    assert.ok(Math.hypot(now[0] - fixed[0], now[1] - fixed[1]) > 1.3 * Math.hypot(far[0] - fixed[0], far[1] - fixed[1]));
+    assert.ok(
+      Math.hypot(now[0] - fixed[0], now[1] - fixed[1]) > 1.3 * Math.hypot(far[0] - fixed[0], far[1] - fixed[1]),
+    );
   });
   const [x, y] = await middle(handle(page, "B3"));
   assert.ok(Math.hypot(x - fixed[0], y - fixed[1]) < 0.6, "the place under the pointer moved");

@@ -7,16 +7,27 @@ test("the page opens on a finished figure with its certificates", async (t) => {
   const page = await openPage(t);
   const text = await status(page);
   assert.match(text, /Verified/);
-  for (const word of ["lines", "mean", "crossings", "blocked", "uncovered", "ms"]) assert.ok(text.includes(word), `${word} in ${text}`);
+  for (const word of ["lines", "mean", "crossings", "blocked", "uncovered", "ms"])
+    assert.ok(text.includes(word), `${word} in ${text}`);
   assert.ok(await handle(page, "A1").isVisible());
   const { title } = await documentOf(page);
   assert.ok((await page.title()).startsWith(title));
   assert.equal(await page.locator("[data-state]").textContent(), "");
   const colors = await page.locator("#picture").evaluate((element) => {
     const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(0, 0, canvas.width, canvas.height);
+    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(
+      0,
+      0,
+      canvas.width,
+      canvas.height,
+    );
     const seen = new Set();
-    for (let i = 0; i < data.length; i += 4) seen.add((/** @type {number} */ (data[i]) << 16) | (/** @type {number} */ (data[i + 1]) << 8) | /** @type {number} */ (data[i + 2]));
+    for (let i = 0; i < data.length; i += 4)
+      seen.add(
+        /** @type {number} */ ((data[i]) << 16) |
+          /** @type {number} */ ((data[i + 1]) << 8) |
+          /** @type {number} */ (data[i + 2]),
+      );
     return seen.size;
   });
   assert.ok(colors > 1000, `${colors} colours`);
@@ -38,7 +49,10 @@ test("a curve that crosses itself is named with the place, and the document stay
   await field(page, "y").fill(String(y * 1.6));
   await page.keyboard.press("Enter");
   await eventually(async () => assert.match(await status(page), /(crosses itself|touch) near \(.+\)\. Move/));
-  assert.deepEqual((await documentOf(page)).curves[1].points[0], [Number((x * 1.6).toFixed(12)), Number((y * 1.6).toFixed(12))]);
+  assert.deepEqual((await documentOf(page)).curves[1].points[0], [
+    Number((x * 1.6).toFixed(12)),
+    Number((y * 1.6).toFixed(12)),
+  ]);
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
   await eventually(async () => assert.match(await status(page), /Verified/));
@@ -93,4 +107,34 @@ test("a failed computation is told, and the work goes on", async (t) => {
   await page.locator("[data-command=retry]").click();
   await eventually(async () => assert.match(await status(page), /Verified/));
   assert.doesNotMatch(await status(page), /started again/);
+});
+
+test("long work can be cancelled, and the last picture and the document stay", async (t) => {
+  // Work takes as long as the test wants: calls that are held back never reach the worker.
+  const page = await openPage(t, {
+    init: `{
+      const Real = Worker;
+      globalThis.Worker = class extends Real {
+        postMessage(message, ...rest) {
+          if (!(globalThis.hold && message.type === "call")) super.postMessage(message, ...rest);
+        }
+      };
+    }`,
+  });
+  const picture = () =>
+    page.locator("#picture").evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const before = await picture();
+  await page.evaluate("globalThis.hold = true");
+  await page.locator("[data-segment=negative] input[value=half]").check({ force: true });
+  const cancel = page.locator("[data-command=cancel]");
+  await cancel.waitFor();
+  assert.ok(await page.locator("#progress").evaluate((line) => line.classList.contains("shown")));
+  await cancel.click();
+  await eventually(async () => assert.match(await status(page), /Cancelled/));
+  assert.equal(await picture(), before);
+  assert.equal((await documentOf(page)).matching.negative, "half");
+  await page.evaluate("globalThis.hold = false");
+  await page.locator("[data-segment=negative] input[value=clamp]").check({ force: true });
+  await eventually(async () => assert.match(await status(page), /Verified/));
+  assert.doesNotMatch(await status(page), /Cancelled/);
 });

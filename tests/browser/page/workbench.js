@@ -136,7 +136,8 @@ export function onOutline(page, curve) {
 export const status = (page) => page.locator("#status").innerText();
 
 /** What was spoken last. @param {Page} page */
-export const spoken = async (page) => ((await page.locator("#speech").textContent()) ?? "").replaceAll("\u00a0", " ").trim();
+export const spoken = async (page) =>
+  ((await page.locator("#speech").textContent()) ?? "").replaceAll("\u00a0", " ").trim();
 
 /**
  * Where a handle stands in document units follows from two handles and the screen; this is the scale in pixels per unit.

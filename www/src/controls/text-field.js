@@ -3,8 +3,8 @@
  */
 import { h } from "../dom.js";
 
-/** Most characters of a name. */
-const LONGEST = 120;
+/** Most characters of a name in a document. */
+const LONGEST = 100;
 
 /**
  * @param {{label: string, name: string, bare?: boolean}} options `bare` looks like plain text until touched

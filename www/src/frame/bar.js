@@ -18,11 +18,21 @@ import { toggleTheme } from "./theme.js";
 export function createBar(app) {
   const words = strings.bar;
   const iconButton = (/** @type {string} */ name, /** @type {Node} */ face, /** @type {string} */ label) =>
-    h("button", { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-action": name }, face);
+    h(
+      "button",
+      { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-action": name },
+      face,
+    );
   const wordButton = (/** @type {string} */ name, /** @type {string} */ label) =>
     h("button", { type: "button", class: "bare word", "data-action": name }, label);
 
-  const file = h("input", { type: "file", accept: ".json,application/json", hidden: true, "data-file": "", "aria-label": words.open });
+  const file = h("input", {
+    type: "file",
+    accept: ".json,application/json",
+    hidden: true,
+    "data-file": "",
+    "aria-label": words.open,
+  });
   file.addEventListener("change", () => {
     const [chosen] = file.files ?? [];
     if (chosen) void openFile(app, chosen);
@@ -74,7 +84,11 @@ export function createBar(app) {
   find("#bar").append(
     menu,
     h("span", { class: "mark", "aria-hidden": "true" }, /** @type {any} */ (mark())),
-    h("nav", { class: "workbenches", "aria-label": words.workbenches }, h("a", { href: "#stage", "aria-current": "page" }, strings.workbench)),
+    h(
+      "nav",
+      { class: "workbenches", "aria-label": words.workbenches },
+      h("a", { href: "#stage", "aria-current": "page" }, strings.workbench),
+    ),
     h("div", { class: "bar-title" }, title.element, state),
     h(
       "div",
@@ -103,7 +117,7 @@ export function createBar(app) {
       const label = themeLabel(app);
       theme.title = label;
       theme.setAttribute("aria-label", label);
-      const name = `${store.document.title} · ${strings.app}`;
+      const name = store.document.title || strings.untitled;
       if (document.title !== name) document.title = name;
     },
   };

@@ -2,17 +2,21 @@
  * The presets, each with a small picture painted by the kernel.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument, Size } from "../types.js"
+ * @import { Size } from "../types.js"
  * @import { Item } from "./menu.js"
  *
  * @typedef {{id: string, title: string, line: string}} Preset
  */
 import { h } from "../dom.js";
 import { openDocument } from "../files.js";
+import { completed, imageData } from "../kernel.js";
 import { devicePixels } from "../painter.js";
 
 /** @type {Size} */
 const THUMBNAIL = { width: 84, height: 60 };
+/** Lines of a thumbnail are this much thinner than in the figure, and its margins are a fifth as wide. */
+const THIN = 0.6;
+const MARGIN = 5;
 
 /** @type {{[path: string]: unknown}} */
 const files = import.meta.glob("../../presets/*.json", { eager: true, import: "default" });
@@ -50,9 +54,14 @@ export function galleryItems(app) {
  */
 async function paintThumbnail(app, canvas, raw) {
   try {
-    const { view: _, ...document } = await app.kernel.defaults(raw);
-    const picture = await app.kernel.paint(/** @type {CurvesDocument} */ (document), {
-      ...devicePixels(THUMBNAIL, window.devicePixelRatio || 1),
+    const { view: _, ...preset } = await completed(app.kernel, raw);
+    const { width, height } = THUMBNAIL;
+    const whole = await app.kernel.fit(preset, { width: width * MARGIN, height: height * MARGIN, pixelRatio: 1 });
+    const ratio = window.devicePixelRatio || 1;
+    const picture = await app.kernel.paint(preset, {
+      ...devicePixels(THUMBNAIL, ratio),
+      pixelRatio: ratio * THIN,
+      view: { center: whole.center, scale: whole.scale / MARGIN / THIN },
       layers: ["material"],
       theme: app.ui.value.theme,
       s: null,
@@ -61,7 +70,7 @@ async function paintThumbnail(app, canvas, raw) {
     });
     canvas.width = picture.width;
     canvas.height = picture.height;
-    canvas.getContext("2d")?.putImageData(new ImageData(picture.data, picture.width, picture.height), 0, 0);
+    canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);
   } catch {
     canvas.hidden = true;
   }

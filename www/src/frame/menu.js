@@ -70,7 +70,12 @@ export function attachMenu(button, items, { wide = false } = {}) {
         },
       },
       item.lead,
-      h("span", { class: "menu-text" }, h("span", {}, item.text), item.line ? h("span", { class: "menu-line" }, item.line) : null),
+      h(
+        "span",
+        { class: "menu-text" },
+        h("span", {}, item.text),
+        item.line ? h("span", { class: "menu-line" }, item.line) : null,
+      ),
     );
   }
 

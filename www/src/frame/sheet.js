@@ -18,7 +18,11 @@ export function createSheet(panelButton) {
   const inspector = find("#inspector");
   const status = find("#status");
   const narrow = matchMedia("(width < 600px)");
-  const grip = h("button", { type: "button", class: "grip", "aria-label": strings.sheet.resize, "data-grip": "" }, h("span", {}));
+  const grip = h(
+    "button",
+    { type: "button", class: "grip", "aria-label": strings.sheet.resize, "data-grip": "" },
+    h("span", {}),
+  );
   inspector.prepend(grip);
   /** @type {Stop} */
   let stop = "half";
@@ -42,6 +46,11 @@ export function createSheet(panelButton) {
     const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     const next = by === undefined ? undefined : STOPS[STOPS.indexOf(stop) + by];
     if (next) rest(next);
+  });
+
+  // A tab that is touched while the sheet is down shows its group.
+  find("#groups").addEventListener("click", (event) => {
+    if (stop === "low" && event.target instanceof Element && event.target.closest("[role=tab]")) rest("half");
   });
 
   let moved = false;

@@ -26,13 +26,24 @@ export function createStatus(app) {
       if (key === drawn) return;
       drawn = key;
       const focused = document.activeElement?.getAttribute("data-certificate");
-      const left = problem ? [reason(explain(app.store.document, problem))] : match ? certificates(app, match, ms) : [label(strings.status.loading)];
+      const left = problem
+        ? [reason(explain(app.store.document, problem))]
+        : match
+          ? certificates(app, match, ms)
+          : [label(strings.status.loading)];
       element.replaceChildren(
         h("div", { class: "certificates" }, ...left),
         h("div", { class: "remark" }, ...remark(app, match, slow)),
       );
-      element.dataset.verdict = problem ? "error" : match ? (match.ok && failures(match.totals.lines) === 0 ? "verified" : "problems") : "none";
-      if (focused) /** @type {HTMLElement | null} */ (element.querySelector(`[data-certificate="${focused}"]`))?.focus();
+      element.dataset.verdict = problem
+        ? "error"
+        : match
+          ? match.ok && failures(match.totals.lines) === 0
+            ? "verified"
+            : "problems"
+          : "none";
+      if (focused)
+        /** @type {HTMLElement | null} */ (element.querySelector(`[data-certificate="${focused}"]`))?.focus();
     },
   };
 }
@@ -137,5 +148,5 @@ const strong = (text) => h("span", { class: "strong number" }, text);
 const reason = (text) => h("span", { class: "failed reason", "data-reason": "" }, text);
 
 /** @param {string} name @param {string} text @param {() => void} act */
-const command = (name, text, act) => h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);
-
+const command = (name, text, act) =>
+  h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);

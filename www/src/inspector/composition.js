@@ -21,7 +21,10 @@ export function compositionStrip(document, index) {
   const colors = document.materials.map(({ color }) => color);
   const seam = first.at + 1 - last.at;
   const t = (1 - last.at) / seam;
-  const atSeam = mixed(colors, first.mix.map((f, i) => f * t + (last.mix[i] ?? 0) * (1 - t)));
+  const atSeam = mixed(
+    colors,
+    first.mix.map((f, i) => f * t + (last.mix[i] ?? 0) * (1 - t)),
+  );
   const stops = [
     `${atSeam} 0%`,
     ...keys.map(({ at, mix }) => `${mixed(colors, mix)} ${(at * 100).toFixed(2)}%`),

@@ -81,9 +81,18 @@ export function curvesGroup(app) {
     }),
   );
   const height = numberField(
-    { label: words.height, name: "height", min: -FAR, max: FAR, step: () => arrowStep(app.store.document), decimals: 1 },
+    {
+      label: words.height,
+      name: "height",
+      min: -FAR,
+      max: FAR,
+      step: () => arrowStep(app.store.document),
+      decimals: 1,
+    },
     editing(app, (document, value) =>
-      changeCurve(document, selection().curve, (curve) => (curve.height === value ? curve : { ...curve, height: value })),
+      changeCurve(document, selection().curve, (curve) =>
+        curve.height === value ? curve : { ...curve, height: value },
+      ),
     ),
   );
   height.element.classList.add("short");
@@ -101,13 +110,7 @@ export function curvesGroup(app) {
     if (point !== null) remove(app, curve, point);
   });
 
-  const body = h(
-    "div",
-    {},
-    ...rows.map(({ button }) => button),
-    placeRow,
-    row(words.name, name, height),
-  );
+  const body = h("div", {}, ...rows.map(({ button }) => button), placeRow, row(words.name, name, height));
 
   return {
     name: "curves",

@@ -28,7 +28,11 @@ export function createInspector(app) {
     materialsGroup(app),
     layersGroup(app),
   ].map((group) => createSection(app, group));
-  const tabs = h("div", { class: "tabs", role: "tablist", "aria-label": strings.sheet.tabs }, ...sections.map(({ tab }) => tab));
+  const tabs = h(
+    "div",
+    { class: "tabs", role: "tablist", "aria-label": strings.sheet.tabs },
+    ...sections.map(({ tab }) => tab),
+  );
   tabs.addEventListener("keydown", (event) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (by === undefined) return;
@@ -75,7 +79,11 @@ function createSection(app, group) {
     h("div", { class: "group-head" }, h("h2", {}, button), ...commands),
     body,
   );
-  const tab = h("button", { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `group-${name}`, "data-tab": name }, heading);
+  const tab = h(
+    "button",
+    { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `group-${name}`, "data-tab": name },
+    heading,
+  );
   tab.addEventListener("click", () => app.ui.set({ tab: name }));
 
   return {

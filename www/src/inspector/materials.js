@@ -11,7 +11,7 @@ import { attribute, h, write } from "../dom.js";
 import { icon } from "../icons.js";
 import { curveName } from "../state/app.js";
 import { addMaterial, assignMaterial, changeMaterial, holds, MATERIAL_LIMIT, removeMaterial } from "../state/edits.js";
-import { strings } from "../strings.js";
+import { inSentence, strings } from "../strings.js";
 import { compositionStrip } from "./composition.js";
 
 /** Colours for new materials, told apart by colour-blind readers as well (Okabe and Ito). */
@@ -54,7 +54,9 @@ export function materialsGroup(app) {
       while (rows.length > document.materials.length) rows.pop()?.element.remove();
       for (const item of rows) item.render(document);
       add.disabled = document.materials.length >= MATERIAL_LIMIT;
-      strips.replaceChildren(...[0, 1].map((index) => compositionStrip(document, index)).filter((strip) => strip !== null));
+      strips.replaceChildren(
+        ...[0, 1].map((index) => compositionStrip(document, index)).filter((strip) => strip !== null),
+      );
     },
   };
 }
@@ -84,7 +86,11 @@ function materialRow(app, index) {
     );
     return button;
   });
-  const remove = h("button", { type: "button", class: "bare icon-only remove", "data-remove": index }, icon("cross", 12));
+  const remove = h(
+    "button",
+    { type: "button", class: "bare icon-only remove", "data-remove": index },
+    icon("cross", 12),
+  );
   remove.addEventListener("click", () => app.store.commit({ change: (document) => removeMaterial(document, index) }));
 
   return {
@@ -100,7 +106,7 @@ function materialRow(app, index) {
       holders.forEach((button, curve) => {
         const shape = /** @type {import("../types.js").Curve} */ (document.curves[curve]);
         const label = curveName(document, curve);
-        write(button, label.toLowerCase());
+        write(button, inSentence(label));
         attribute(button, "aria-label", words.on(label, material.name));
         attribute(button, "aria-pressed", String(holds(shape, index)));
       });

@@ -33,7 +33,8 @@ export function samplingGroup(app) {
     },
     (value) =>
       app.store.commit({
-        change: (document) => patch(document, "sampling", { scheme: /** @type {"arc-length" | "parameter"} */ (value) }),
+        change: (document) =>
+          patch(document, "sampling", { scheme: /** @type {"arc-length" | "parameter"} */ (value) }),
       }),
   );
   const counts = /** @type {const} */ ([0, 1]).map((index) =>

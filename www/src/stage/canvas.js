@@ -5,6 +5,7 @@
  * @import { Picture, View } from "../types.js"
  */
 import { attribute, find } from "../dom.js";
+import { imageData } from "../kernel.js";
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
 
@@ -39,7 +40,7 @@ export function createCanvas(app) {
       if (picture !== held) {
         source.width = picture.width;
         source.height = picture.height;
-        sourceContext.putImageData(new ImageData(picture.data, picture.width, picture.height), 0, 0);
+        sourceContext.putImageData(imageData(picture), 0, 0);
       }
       [held, drawnFor, drawnSize, drawnTheme] = [picture, view, sizeNow, theme];
       blit(context, source, picture, view, size, ratio);

@@ -34,7 +34,8 @@ export function createHandles(app) {
       if (!view) return;
       overlay.hidden = !layers.includes("controlPoints");
       for (const group of groups) group.render(app, view, size);
-      const chosen = selection?.point != null ? app.store.document.curves[selection.curve]?.points[selection.point] : null;
+      const chosen =
+        selection?.point != null ? app.store.document.curves[selection.curve]?.points[selection.point] : null;
       name.hidden = !chosen;
       if (!chosen || !selection || selection.point === null) return;
       write(name, pointName(selection.curve, selection.point));

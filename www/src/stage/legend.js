@@ -5,8 +5,9 @@
  * @import { CurvesDocument } from "../types.js"
  */
 import { find, h } from "../dom.js";
-import { significantText, percent } from "../format.js";
+import { percent } from "../format.js";
 import { symbol } from "../icons.js";
+import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
 import { holds } from "../state/edits.js";
 
@@ -46,7 +47,9 @@ function blends({ curves, materials }) {
   const on = curves.map((curve) => materials.map((_, i) => i).filter((i) => holds(curve, i)));
   const [first = [], second = []] = on;
   /** @type {[number, number][]} */
-  const pairs = first.flatMap((a) => second.flatMap((b) => (a === b ? [] : [/** @type {[number, number]} */ ([a, b])])));
+  const pairs = first.flatMap((a) =>
+    second.flatMap((b) => (a === b ? [] : [/** @type {[number, number]} */ ([a, b])])),
+  );
   return pairs.slice(0, STRIPS);
 }
 
@@ -57,7 +60,7 @@ function strip({ materials }, a, b) {
   return h("div", { class: "legend-row" }, h("span", {}, materials[a]?.name), bar, h("span", {}, materials[b]?.name));
 }
 
-/** @param {string[]} ticks */
+/** @param {(string | Node)[]} ticks */
 function scale(ticks) {
   return h(
     "div",
@@ -77,7 +80,13 @@ function valueRange(app) {
 /** @param {[number, number]} range */
 function valueStrip([low, high]) {
   return [
-    h("div", { class: "legend-row" }, h("span", {}, symbol("f")), h("span", { class: "legend-bar viridis" }), h("span", {})),
-    scale([significantText(low), significantText(high)]),
+    h(
+      "div",
+      { class: "legend-row" },
+      h("span", {}, symbol("f")),
+      h("span", { class: "legend-bar viridis" }),
+      h("span", {}),
+    ),
+    scale([numberNode(low), numberNode(high)]),
   ];
 }

@@ -31,7 +31,15 @@ export function createMorph(app) {
   const ticks = h("span", { class: "ticks", "aria-hidden": "true" });
   control.element.prepend(ticks);
   control.element.classList.add("large");
-  const reading = h("span", { class: "morph-reading" }, symbol("s"), " ", value, h("span", { class: "morph-stage" }, " · "), stage);
+  const reading = h(
+    "span",
+    { class: "morph-reading" },
+    symbol("s"),
+    " ",
+    value,
+    h("span", { class: "morph-stage" }, " · "),
+    stage,
+  );
   find("#morph-controls").append(play, first, control.element, last, reading);
 
   let direction = 1;
@@ -117,7 +125,5 @@ function snapped(s, stages) {
 function stageText(s, stages) {
   const j = s * stages;
   const whole = Math.round(j);
-  return Math.abs(j - whole) < 1e-6
-    ? strings.morph.stage(whole, stages)
-    : strings.morph.between(Math.floor(j), stages);
+  return Math.abs(j - whole) < 1e-6 ? strings.morph.stage(whole, stages) : strings.morph.between(Math.floor(j), stages);
 }

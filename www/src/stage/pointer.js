@@ -140,12 +140,16 @@ export function listenToPointer(app, handles, probe) {
     { passive: false },
   );
 
-  addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || !drag) return;
-    event.stopPropagation();
-    drag.undo();
-    finish();
-  }, { capture: true });
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (event.key !== "Escape" || !drag) return;
+      event.stopPropagation();
+      drag.undo();
+      finish();
+    },
+    { capture: true },
+  );
 
   function finish() {
     drag = null;

@@ -2,7 +2,7 @@
  * Adding and removing control points, from pointer, key and panel alike.
  *
  * @import { App } from "../state/app.js"
- * @import { Curve, Point } from "../types.js"
+ * @import { Curve, CurvesDocument, Point } from "../types.js"
  */
 import { problem } from "../painter.js";
 import { nearestParameter } from "../spline.js";
@@ -20,7 +20,7 @@ export async function insertAt(app, index, at) {
   const before = app.store.document;
   const u = nearestParameter(before.curves[index], at);
   try {
-    const after = await app.kernel.insertPoint(before, index, u);
+    const after = /** @type {CurvesDocument} */ (await app.kernel.insertPoint(before, index, u));
     if (app.store.document !== before) return;
     app.store.commit({ change: () => after });
     const curve = after.curves[index];

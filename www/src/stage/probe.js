@@ -196,7 +196,14 @@ export function beside(at, line, card, canvas) {
   const above = at[1] - GAP - card.height;
   const middle = at[1] - card.height / 2;
   /** @type {Point[]} */
-  const places = [[right, below], [right, above], [left, below], [left, above], [right, middle], [left, middle]];
+  const places = [
+    [right, below],
+    [right, above],
+    [left, below],
+    [left, above],
+    [right, middle],
+    [left, middle],
+  ];
   let best = /** @type {Point} */ (places[0]);
   let least = Infinity;
   for (const [x, y] of places) {

@@ -8,12 +8,7 @@ import { toScreen } from "../view.js";
 
 /** @param {App} app */
 export function createWitness(app) {
-  const mark = svg(
-    "g",
-    { class: "witness" },
-    svg("circle", { r: 11 }),
-    svg("path", { d: "M-4-4 4 4M4-4-4 4" }),
-  );
+  const mark = svg("g", { class: "witness" }, svg("circle", { r: 11 }), svg("path", { d: "M-4-4 4 4M4-4-4 4" }));
   const layer = svg("svg", { class: "marks", "aria-hidden": "true" }, mark);
   find("#overlay").before(layer);
   return {

@@ -57,7 +57,11 @@ export function zoomBy(app, steps) {
 export function createZoom(app) {
   const percentage = h("span", { class: "zoom-value number" });
   const button = (/** @type {string} */ name, /** @type {string} */ label, /** @type {() => void} */ act) =>
-    h("button", { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-zoom": name, onclick: act }, icon(name));
+    h(
+      "button",
+      { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-zoom": name, onclick: act },
+      icon(name),
+    );
   find("#zoom").append(
     button("minus", strings.canvas.zoomOut, () => zoomBy(app, -1)),
     percentage,
@@ -85,4 +89,3 @@ function scaleText(length, unit) {
   const decimals = Math.max(0, -Math.floor(Math.log10(length) + 1e-9));
   return `${fixed(length, decimals)}\u00a0${unit}`;
 }
-

@@ -1,7 +1,7 @@
 /**
  * What every part of the page is given: the document store, what is shown besides it, and the results.
  *
- * @import { CurvesDocument, Kernel, Match, Picture, Point, Probe, Problem, Selection, Size, View } from "../types.js"
+ * @import { CurvesDocument, Kernel, LayerName, Match, Picture, Point, Probe, Problem, Selection, Size, View } from "../types.js"
  *
  * @typedef {object} Note A sentence in the status line that stands until the next edit.
  * @property {"plain" | "error"} tone
@@ -13,7 +13,7 @@
  * @property {boolean} fitted the view follows the size of the window
  * @property {number} fitScale the scale that counts as 100 %
  * @property {Size} size of the canvas
- * @property {string[]} layers
+ * @property {LayerName[]} layers
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
  * @property {"light" | "dark"} theme
@@ -57,11 +57,19 @@ export const LAYERS = /** @type {const} */ ([
   "unconnected",
 ]);
 
-/** @type {readonly string[]} */
+/** @type {readonly LayerName[]} */
 export const FIRST_LAYERS = ["material", "rulingLines", "inBetweens", "samples", "controlPoints", "grid"];
 
 /** @type {Readonly<Results>} */
-export const NO_RESULTS = { matched: null, match: null, problem: null, picture: null, ms: null, slow: false, progress: 0 };
+export const NO_RESULTS = {
+  matched: null,
+  match: null,
+  problem: null,
+  picture: null,
+  ms: null,
+  slow: false,
+  progress: 0,
+};
 
 /**
  * The name of a curve as a person reads it: its own, or by which one lies outside.
