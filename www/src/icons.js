@@ -7,10 +7,10 @@ import { svg } from "./dom.js";
 const LINES = {
   undo: "M5.5 2.5 2.5 5.5l3 3M2.5 5.5h6.75a4.25 4.25 0 0 1 0 8.5H6",
   redo: "m10.5 2.5 3 3-3 3M13.5 5.5H6.75a4.25 4.25 0 0 0 0 8.5H10",
-  down: "m4.5 6.5 3.5 3.5 3.5-3.5",
+  down: "m5 6.75 3 3 3-3",
   right: "m6.5 4.5 3.5 3.5-3.5 3.5",
-  minus: "M3 8h10",
-  plus: "M3 8h10M8 3v10",
+  minus: "M3.5 8h9",
+  plus: "M3.5 8h9M8 3.5v9",
   fit: "M2.5 6V3.5a1 1 0 0 1 1-1H6M10 2.5h2.5a1 1 0 0 1 1 1V6M13.5 10v2.5a1 1 0 0 1-1 1H10M6 13.5H3.5a1 1 0 0 1-1-1V10",
   check: "m3 8.5 3.25 3.25L13 4.75",
   cross: "m4 4 8 8M12 4l-8 8",
@@ -53,8 +53,8 @@ export function curveMark(curve) {
   const box = svg("svg", { viewBox: "0 0 16 16", width: 16, height: 16, "aria-hidden": "true", class: "icon" });
   box.append(
     curve === 0
-      ? svg("circle", { cx: 8, cy: 8, r: 4.75, class: "icon-line" })
-      : svg("rect", { x: 3.5, y: 3.5, width: 9, height: 9, rx: 1.5, class: "icon-line" }),
+      ? svg("circle", { cx: 8, cy: 8, r: 4.25, class: "icon-line" })
+      : svg("rect", { x: 3.75, y: 3.75, width: 8.5, height: 8.5, rx: 1.5, class: "icon-line" }),
   );
   return box;
 }

@@ -33,6 +33,7 @@ import { handleCount } from "./state/edits.js";
 import { Record } from "./state/record.js";
 import { keep, restore } from "./state/session.js";
 import { Store } from "./state/store.js";
+import { strings } from "./strings.js";
 
 /** Layers a phone leaves out at first: at its scale the dots run into each other. */
 const CROWDED = "samples";
@@ -102,9 +103,22 @@ function assemble(kernel, store, restored) {
   return app;
 }
 
+/** Names the regions of the page. */
+function nameRegions() {
+  const regions = {
+    stage: strings.canvas.region,
+    "morph-controls": strings.morph.region,
+    zoom: strings.canvas.zoom,
+    inspector: strings.sheet.region,
+    status: strings.status.region,
+  };
+  for (const [id, name] of Object.entries(regions)) find(`#${id}`).setAttribute("aria-label", name);
+}
+
 /** @param {App} app */
 function run(app) {
   const { store, ui, results } = app;
+  nameRegions();
   const painter = createPainter(app);
   app.retry = () => {
     ui.set({ note: null });

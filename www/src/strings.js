@@ -1,5 +1,6 @@
 /**
- * Every word the page shows or speaks, in one place. Functions take what changes.
+ * Every word the page shows or speaks, in one place; only what must be shown without scripts stands in index.html.
+ * Functions take what changes.
  */
 
 /** @param {number} count @param {string} one @param {string} many */
@@ -16,7 +17,6 @@ export const strings = {
   untitled: "Untitled",
 
   bar: {
-    label: "Main",
     workbenches: "Workbenches",
     title: "Document title",
     edited: "Edited",
@@ -44,8 +44,6 @@ export const strings = {
     zoomOut: "Zoom out",
     fit: "Fit the figure (F)",
     zoom: "Zoom",
-    scale: "Scale",
-    legend: "Material fractions",
     probe: "Ruling lines",
     probeHelp: "Left and right go from one ruling line to the next, up and down along it. Escape closes the reading.",
     drop: "Drop a document to open it",
@@ -124,7 +122,7 @@ export const strings = {
     add: "Add material",
     remove: (/** @type {string} */ name) => `Remove ${name}`,
     fresh: (/** @type {number} */ index) => `Material ${index + 1}`,
-    along: (/** @type {string} */ curve) => `along the ${inSentence(curve)} curve`,
+    along: (/** @type {string} */ curve) => `composition along the ${inSentence(curve)} curve`,
     stops: (/** @type {number} */ count) => plural(count, "stop", "stops"),
     phrase: (/** @type {string[]} */ names) => (names.length > 3 ? `${names.length} materials` : names.join(", ")),
   },
@@ -218,12 +216,11 @@ export const strings = {
     notNumber: "Enter a number",
     range: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a number from ${low} to ${high}`,
     whole: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a whole number from ${low} to ${high}`,
-    empty: "Enter a name",
   },
 
   sheet: {
     resize: "Resize the panel",
     tabs: "Groups",
-    close: "Close the settings",
+    region: "Settings",
   },
 };
