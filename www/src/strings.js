@@ -13,6 +13,7 @@ export const inSentence = (name) => (/^.\p{Ll}/u.test(name) ? `${name.charAt(0).
 const DEGREES = { 2: "quadratic", 3: "cubic", 4: "quartic", 5: "quintic" };
 
 export const strings = {
+  app: "Directrix",
   workbench: "Curves",
   untitled: "Untitled",
 

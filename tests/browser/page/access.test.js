@@ -1,29 +1,8 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
 import { test } from "node:test";
+import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
 import { eventually, field, handle } from "./workbench.js";
-
-const axeSource = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-/**
- * What axe finds wrong, in one line each.
- * @param {import("playwright-core").Page} page
- * @returns {Promise<string[]>}
- */
-async function wrong(page) {
-  await page.evaluate(axeSource);
-  return page.evaluate(async () => {
-    const { violations } = await Reflect.get(globalThis, "axe").run(document, {
-      runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"],
-    });
-    return violations.map(
-      (/** @type {any} */ each) =>
-        `${each.id}: ${each.nodes.map((/** @type {any} */ n) => n.html.slice(0, 90)).join(" | ")}`,
-    );
-  });
-}
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -35,7 +14,7 @@ for (const [name, options] of /** @type {const} */ ([
 ])) {
   test(`axe finds nothing wrong ${name}`, async (t) => {
     const page = await openPage(t, options);
-    assert.deepEqual(await wrong(page), []);
+    assert.deepEqual(await audit(page), []);
   });
 }
 
@@ -46,10 +25,10 @@ test("axe finds nothing wrong with all groups, a menu, an error and a reading op
   await page.locator("#probe-keys").focus();
   await page.keyboard.press("ArrowRight");
   await eventually(async () => assert.ok(await page.locator("#probe").isVisible()));
-  assert.deepEqual(await wrong(page), []);
+  assert.deepEqual(await audit(page), []);
   await page.locator("[data-action=gallery]").click();
   await eventually(async () => assert.ok(await page.locator("[role=menu]").isVisible()));
-  assert.deepEqual(await wrong(page), []);
+  assert.deepEqual(await audit(page), []);
 });
 
 test("axe does find what is wrong", async (t) => {
@@ -59,7 +38,7 @@ test("axe does find what is wrong", async (t) => {
     bad.innerHTML = '<span style="color: #eee; background: #fff"></span>';
     document.querySelector("#bar")?.append(bad);
   });
-  const found = await wrong(page);
+  const found = await audit(page);
   assert.ok(
     found.some((each) => each.startsWith("button-name")),
     `${found}`,

@@ -24,8 +24,8 @@ test("the page opens on a finished figure with its certificates", async (t) => {
     const seen = new Set();
     for (let i = 0; i < data.length; i += 4)
       seen.add(
-        /** @type {number} */ ((data[i]) << 16) |
-          /** @type {number} */ ((data[i + 1]) << 8) |
+        /** @type {number} */ (data[i] << 16) |
+          /** @type {number} */ (data[i + 1] << 8) |
           /** @type {number} */ (data[i + 2]),
       );
     return seen.size;

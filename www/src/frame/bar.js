@@ -117,7 +117,7 @@ export function createBar(app) {
       const label = themeLabel(app);
       theme.title = label;
       theme.setAttribute("aria-label", label);
-      const name = store.document.title || strings.untitled;
+      const name = `${store.document.title || strings.untitled} · ${strings.app}`;
       if (document.title !== name) document.title = name;
     },
   };
