@@ -1,0 +1,174 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { openPage } from "./open.js";
+import { documentOf, drag, eventually, field, handle, middle, status, uiOf } from "./workbench.js";
+
+test("undo to the start restores the document to the byte, redo the last one", async (t) => {
+  const page = await openPage(t);
+  const states = [JSON.stringify(await documentOf(page))];
+  const edits = [
+    async () => drag(page, await middle(handle(page, "B3")), [-20, 12]),
+    async () => {
+      await handle(page, "A1").focus();
+      await page.keyboard.press("ArrowUp");
+    },
+    async () => {
+      await field(page, "distanceWeight").fill("1.7");
+      await page.keyboard.press("Enter");
+    },
+    () => page.locator("[data-holder='1-0']").click(),
+    async () => {
+      await handle(page, "A4").focus();
+      await page.keyboard.press("Delete");
+    },
+    async () => {
+      await field(page, "title").fill("Changed");
+      await page.keyboard.press("Enter");
+    },
+  ];
+  for (const edit of edits) {
+    await edit();
+    const now = await eventually(async () => {
+      const text = JSON.stringify(await documentOf(page));
+      assert.notEqual(text, states.at(-1));
+      return text;
+    });
+    states.push(now);
+  }
+  for (let i = states.length - 2; i >= 0; i -= 1) {
+    await page.locator("[data-action=undo]").click();
+    assert.equal(JSON.stringify(await documentOf(page)), states[i]);
+  }
+  assert.ok(await page.locator("[data-action=undo]").isDisabled());
+  for (let i = 1; i < states.length; i += 1) {
+    await page.locator("[data-action=redo]").click();
+    assert.equal(JSON.stringify(await documentOf(page)), states[i]);
+  }
+  assert.ok(await page.locator("[data-action=redo]").isDisabled());
+});
+
+test("a reload loses nothing", async (t) => {
+  const page = await openPage(t);
+  await handle(page, "B5").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await page.locator("[data-box=normals]").check();
+  await page.locator("[data-zoom=plus]").click();
+  const document = await documentOf(page);
+  const ui = await uiOf(page);
+  await page.reload();
+  await page.waitForSelector("html[data-ready=true]");
+  assert.deepEqual(await documentOf(page), document);
+  assert.deepEqual(await uiOf(page), ui);
+  assert.equal(await page.locator("[data-state]").textContent(), "Edited");
+});
+
+test("leaving and coming back keeps the work", async (t) => {
+  const page = await openPage(t);
+  await handle(page, "B5").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  const document = await documentOf(page);
+  await page.goto("about:blank");
+  await page.goBack();
+  await page.waitForSelector("html[data-ready=true]");
+  assert.deepEqual(await documentOf(page), document);
+});
+
+test("the gallery opens every preset with a verdict, and each is one of its own", async (t) => {
+  const page = await openPage(t);
+  await page.locator("[data-action=gallery]").click();
+  const names = await page
+    .locator("[role=menuitem]")
+    .evaluateAll((items) => items.map((item) => item.getAttribute("data-item") ?? ""));
+  assert.ok(names.length >= 4, `${names}`);
+  await page.keyboard.press("Escape");
+  const titles = new Set();
+  for (const name of names) {
+    await page.locator("[data-action=gallery]").click();
+    await page.locator(`[data-item="${name}"]`).click();
+    await eventually(async () => assert.ok(!titles.has(await field(page, "title").inputValue())));
+    titles.add(await field(page, "title").inputValue());
+    await eventually(async () => assert.equal(await page.locator("#status").getAttribute("data-verdict"), "verified"));
+    assert.equal(await page.locator("[data-state]").textContent(), "");
+  }
+});
+
+test("menus are left with Escape and gone through with arrows", async (t) => {
+  const page = await openPage(t);
+  const button = page.locator("[data-action=export]");
+  await button.focus();
+  await page.keyboard.press("ArrowDown");
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute("data-item"));
+  await eventually(async () => assert.equal(await focused(), "export-svg"));
+  await page.keyboard.press("End");
+  assert.equal(await focused(), "export-json");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("[role=menu]").count(), 0);
+  assert.ok(await button.evaluate((element) => element === document.activeElement));
+});
+
+const BAD = [
+  { name: "text.json", text: "{ not json", says: /not JSON/ },
+  { name: "kind.json", text: '{"directrix": 1, "kind": "soup"}', says: /kind/ },
+  { name: "missing.json", text: '{"directrix": 1, "kind": "curves"}', says: /curves|matching/ },
+];
+
+for (const { name, text, says } of BAD) {
+  test(`a bad file is refused with its reason: ${name}`, async (t) => {
+    const page = await openPage(t);
+    const before = JSON.stringify(await documentOf(page));
+    await page.locator("[data-file]").setInputFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+    await eventually(async () => assert.match(await status(page), new RegExp(`Could not open ${name}`)));
+    assert.match(await status(page), says);
+    assert.match(await status(page), /unchanged/);
+    assert.equal(JSON.stringify(await documentOf(page)), before);
+  });
+}
+
+test("the path of a wrong field is named", async (t) => {
+  const page = await openPage(t);
+  const document = await documentOf(page);
+  document.curves[0].points[3][1] = "high";
+  const buffer = Buffer.from(JSON.stringify(document));
+  await page.locator("[data-file]").setInputFiles({ name: "high.json", mimeType: "application/json", buffer });
+  await eventually(async () => assert.match(await status(page), /curves\[0\]\.points\[3\]\[1\]/));
+});
+
+test("a document written by Export opens again as it was, dropped on the page", async (t) => {
+  const page = await openPage(t);
+  await handle(page, "B2").focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  const document = await documentOf(page);
+  const text = (await exported(page, "json")).toString("utf8");
+  assert.equal(await page.locator("[data-state]").textContent(), "");
+  await page.keyboard.press("ArrowUp");
+  await page.evaluate((content) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], "mine.json", { type: "application/json" }));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, text);
+  await eventually(async () => assert.deepEqual(await documentOf(page), document));
+});
+
+test("Export writes a PNG and an SVG of the picture", async (t) => {
+  const page = await openPage(t);
+  const png = await exported(page, "png");
+  assert.equal(png.subarray(1, 4).toString("latin1"), "PNG");
+  const size = await page.locator("#stage").boundingBox();
+  assert.equal(png.readUInt32BE(16), Math.round((size?.width ?? 0) * 2));
+  const svg = (await exported(page, "svg")).toString("utf8");
+  assert.match(svg, /^(<\?xml[^>]*>\s*)?<svg/);
+});
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @param {"svg" | "png" | "json"} kind
+ */
+async function exported(page, kind) {
+  const download = page.waitForEvent("download");
+  await page.locator("[data-action=export]").click();
+  await page.locator(`[data-item=export-${kind}]`).click();
+  const file = await download;
+  assert.ok(file.suggestedFilename().endsWith(`.${kind}`));
+  return readFile(await file.path());
+}

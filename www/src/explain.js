@@ -1,0 +1,46 @@
+/**
+ * Failures in the words of the page: where, and what to do.
+ *
+ * @import { CurvesDocument, Match, Problem } from "./types.js"
+ */
+import { coordinate } from "./format.js";
+import { curveName } from "./state/app.js";
+import { strings } from "./strings.js";
+
+/**
+ * Why there is no result for a document.
+ * @param {CurvesDocument} document
+ * @param {Problem} problem
+ */
+export function explain(document, { code, path = "", message, at }) {
+  const words = strings.errors;
+  const where = at ? words.near(coordinate(at[0]), coordinate(at[1])) : "";
+  switch (code) {
+    case "self-intersection": {
+      const index = /curves\[(\d)\]/.exec(path)?.[1];
+      const curve = index === undefined ? words.aCurve : words.curve(curveName(document, Number(index)));
+      return words.selfIntersection(curve, where);
+    }
+    case "contact":
+      return words.contact(where);
+    case "zero-length":
+      return words.zeroLength;
+    default:
+      return words.document(path, message);
+  }
+}
+
+/**
+ * What to do about a partial result, or null when it is whole.
+ * @param {Match} match
+ */
+export function advice({ ok, diagnostics, totals }) {
+  const words = strings.advice;
+  const [a, b] = totals.lines?.uncovered ?? [[], []];
+  if (a.length + b.length > 0) return words.notCovered(a.length, b.length);
+  if (ok) return null;
+  const [first] = diagnostics;
+  if (!first) return null;
+  const known = /** @type {{[code: string]: unknown}} */ (words)[first.code];
+  return typeof known === "string" ? known : first.message;
+}

@@ -1,0 +1,129 @@
+/**
+ * The bar above: mark, workbench, title, undo, redo, gallery, open, export, theme; on a phone one menu for most of it.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Item } from "./menu.js"
+ */
+import { textField } from "../controls/text-field.js";
+import { find, h, write } from "../dom.js";
+import { exportAs, openFile } from "../files.js";
+import { halfDisc, icon } from "../icons.js";
+import { strings } from "../strings.js";
+import { galleryItems } from "./gallery.js";
+import { mark } from "./mark.js";
+import { attachMenu } from "./menu.js";
+import { toggleTheme } from "./theme.js";
+
+/** @param {App} app */
+export function createBar(app) {
+  const words = strings.bar;
+  const iconButton = (/** @type {string} */ name, /** @type {Node} */ face, /** @type {string} */ label) =>
+    h(
+      "button",
+      { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-action": name },
+      face,
+    );
+  const wordButton = (/** @type {string} */ name, /** @type {string} */ label) =>
+    h("button", { type: "button", class: "bare word", "data-action": name }, label);
+
+  const file = h("input", {
+    type: "file",
+    accept: ".json,application/json",
+    hidden: true,
+    "data-file": "",
+    "aria-label": words.open,
+  });
+  file.addEventListener("change", () => {
+    const [chosen] = file.files ?? [];
+    if (chosen) void openFile(app, chosen);
+    file.value = "";
+  });
+
+  const title = textField({ label: words.title, name: "title", bare: true }, (text) =>
+    app.store.commit({ change: (document) => ({ ...document, title: text }) }),
+  );
+  const state = h("span", { class: "bar-state", "data-state": "" });
+  const undo = iconButton("undo", icon("undo"), words.undo);
+  const redo = iconButton("redo", icon("redo"), words.redo);
+  const theme = iconButton("theme", halfDisc(), words.toDark);
+  const gallery = wordButton("gallery", words.gallery);
+  const open = wordButton("open", words.open);
+  const exporting = wordButton("export", words.export);
+  const menu = iconButton("menu", icon("menu"), words.menu);
+  const panel = iconButton("panel", icon("panel"), words.panel);
+
+  undo.addEventListener("click", () => app.store.undo());
+  redo.addEventListener("click", () => app.store.redo());
+  theme.addEventListener("click", () => toggleTheme(app));
+  open.addEventListener("click", () => file.click());
+  panel.setAttribute("aria-expanded", "false");
+  panel.setAttribute("aria-controls", "inspector");
+
+  /** @returns {Item[]} */
+  const exportItems = () =>
+    /** @type {const} */ (["svg", "png", "json"]).map((kind) => ({
+      name: `export-${kind}`,
+      text: strings.exports[kind],
+      act: () => void exportAs(app, kind),
+    }));
+  attachMenu(gallery, () => galleryItems(app), { wide: true });
+  attachMenu(exporting, exportItems);
+  attachMenu(
+    menu,
+    () => [
+      ...galleryItems(app),
+      "line",
+      { name: "open", text: words.open, act: () => file.click() },
+      ...exportItems(),
+      "line",
+      { name: "theme", text: themeLabel(app), act: () => toggleTheme(app) },
+    ],
+    { wide: true },
+  );
+
+  find("#bar").append(
+    menu,
+    h("span", { class: "mark", "aria-hidden": "true" }, /** @type {any} */ (mark())),
+    h(
+      "nav",
+      { class: "workbenches", "aria-label": words.workbenches },
+      h("a", { href: "#stage", "aria-current": "page" }, strings.workbench),
+    ),
+    h("div", { class: "bar-title" }, title.element, state),
+    h(
+      "div",
+      { class: "bar-actions" },
+      undo,
+      redo,
+      h("span", { class: "bar-line", "aria-hidden": "true" }),
+      gallery,
+      open,
+      exporting,
+      theme,
+      panel,
+    ),
+    file,
+  );
+
+  return {
+    panel,
+    render() {
+      const { store } = app;
+      title.set(store.document.title || strings.untitled);
+      title.input.size = Math.max(4, store.document.title.length);
+      write(state, store.edited ? words.edited : "");
+      undo.disabled = !store.canUndo;
+      redo.disabled = !store.canRedo;
+      const label = themeLabel(app);
+      theme.title = label;
+      theme.setAttribute("aria-label", label);
+      const name = `${store.document.title || strings.untitled} · ${strings.app}`;
+      if (document.title !== name) document.title = name;
+    },
+  };
+}
+
+/** @param {App} app */
+function themeLabel(app) {
+  return app.ui.value.theme === "dark" ? strings.bar.toLight : strings.bar.toDark;
+}

@@ -1,0 +1,30 @@
+/**
+ * Opening a document by dropping its file anywhere on the page.
+ *
+ * @import { App } from "../state/app.js"
+ */
+import { find } from "../dom.js";
+import { openFile } from "../files.js";
+import { strings } from "../strings.js";
+
+/** @param {App} app */
+export function listenToDrop(app) {
+  const target = find("#drop");
+  target.textContent = strings.canvas.drop;
+  const carriesFile = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes("Files") ?? false;
+  addEventListener("dragover", (event) => {
+    if (!carriesFile(event)) return;
+    event.preventDefault();
+    target.hidden = false;
+  });
+  addEventListener("dragleave", (event) => {
+    if (event.relatedTarget === null) target.hidden = true;
+  });
+  addEventListener("drop", (event) => {
+    if (!carriesFile(event)) return;
+    event.preventDefault();
+    target.hidden = true;
+    const [file] = event.dataTransfer?.files ?? [];
+    if (file) void openFile(app, file);
+  });
+}

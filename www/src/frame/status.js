@@ -1,0 +1,152 @@
+/**
+ * The status line: what the result is worth, and what to do where it fails.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Match, Totals } from "../types.js"
+ */
+import { find, h } from "../dom.js";
+import { fixed, milliseconds } from "../format.js";
+import { icon, symbol } from "../icons.js";
+import { numberNode } from "../number-node.js";
+import { advice, explain } from "../explain.js";
+import { strings } from "../strings.js";
+import { nextWitness } from "../witness.js";
+
+/** @param {App} app */
+export function createStatus(app) {
+  const element = find("#status");
+  let drawn = "";
+
+  return {
+    render() {
+      const { match, matched, problem, ms, slow } = app.results.value;
+      const { note } = app.ui.value;
+      const fresh = matched === app.store.document;
+      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note]);
+      if (key === drawn) return;
+      drawn = key;
+      const focused = document.activeElement?.getAttribute("data-certificate");
+      const left = problem
+        ? [reason(explain(app.store.document, problem))]
+        : match
+          ? certificates(app, match, ms)
+          : [label(strings.status.loading)];
+      element.replaceChildren(
+        h("div", { class: "certificates" }, ...left),
+        h("div", { class: "remark" }, ...remark(app, match, slow)),
+      );
+      element.dataset.verdict = problem
+        ? "error"
+        : match
+          ? match.ok && failures(match.totals.lines) === 0
+            ? "verified"
+            : "problems"
+          : "none";
+      if (focused)
+        /** @type {HTMLElement | null} */ (element.querySelector(`[data-certificate="${focused}"]`))?.focus();
+    },
+  };
+}
+
+/** @param {Totals | null} totals */
+function failures(totals) {
+  if (!totals) return 1;
+  const { crossings, blocked, uncovered } = totals;
+  return crossings + blocked + uncovered[0].length + uncovered[1].length;
+}
+
+/**
+ * @param {App} app
+ * @param {Match} match
+ * @param {number | null} ms
+ * @returns {Node[]}
+ */
+function certificates(app, match, ms) {
+  const totals = match.totals.lines;
+  const words = strings.status;
+  const count = Math.max(failures(totals), match.ok ? 0 : 1);
+  if (!totals) return [h("span", { class: "verdict failed" }, words.problems(count))];
+  const [a, b] = totals.uncovered;
+  const open = a.length + b.length > 0;
+  const verdict =
+    count === 0
+      ? h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), strong(words.verified))
+      : h("span", { class: "verdict failed" }, words.problems(count));
+  return [
+    verdict,
+    item("lines", strong(String(totals.count)), label(words.lines(totals.count))),
+    totals.mean !== null ? item("mean", label(words.mean), symbol("f"), strong(numberNode(totals.mean))) : null,
+    totals.integral !== null ? item("integral", symbol("J"), strong(numberNode(totals.integral))) : null,
+    totals.eta !== null ? item("eta", symbol("η"), strong(fixed(totals.eta, 3))) : null,
+    failure(app, "crossings", words.crossings, totals.crossings, String(totals.crossings)),
+    failure(app, "blocked", words.blocked, totals.blocked, String(totals.blocked)),
+    failure(app, "uncovered", words.uncovered, a.length + b.length, open ? `${a.length} + ${b.length}` : "0"),
+    ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.ms)),
+  ].filter((node) => node !== null);
+}
+
+/**
+ * A count that should be zero: plain when it is, a button that shows the place when it is not.
+ * @param {App} app
+ * @param {"crossings" | "blocked" | "uncovered"} name
+ * @param {string} words
+ * @param {number} count
+ * @param {string} shown
+ */
+function failure(app, name, words, count, shown) {
+  if (count === 0) return item(name, label(words), strong(shown));
+  const what = `${words} ${shown}`;
+  const button = h(
+    "button",
+    {
+      type: "button",
+      class: "failed",
+      "data-certificate": name,
+      "aria-label": strings.status.show(what),
+      title: strings.status.show(what),
+      onclick: () => nextWitness(app, name),
+    },
+    label(words),
+    strong(shown),
+  );
+  return h("span", { class: "item", "data-total": name }, button);
+}
+
+/**
+ * @param {App} app
+ * @param {Match | null} match
+ * @param {boolean} slow
+ * @returns {Node[]}
+ */
+function remark(app, match, slow) {
+  const words = strings.status;
+  const { note } = app.ui.value;
+  if (slow) return [label(words.working), command("cancel", words.cancel, app.cancel)];
+  if (note?.tone === "error") {
+    const again = note.text === strings.errors.trap ? [command("retry", words.tryAgain, app.retry)] : [];
+    return [reason(note.text), ...again];
+  }
+  if (note) return [label(note.text)];
+  if (!match) return [];
+  const text = advice(match);
+  if (text) return [reason(text)];
+  return app.store.document.matching.method === "greedy" ? [h("span", { class: "warning" }, words.heuristic)] : [];
+}
+
+/** @param {string} name @param {...Node} parts */
+function item(name, ...parts) {
+  return h("span", { class: "item", "data-total": name }, ...parts);
+}
+
+/** @param {string} text */
+const label = (text) => h("span", {}, text);
+
+/** @param {string | Node} text */
+const strong = (text) => h("span", { class: "strong number" }, text);
+
+/** @param {string} text */
+const reason = (text) => h("span", { class: "failed reason", "data-reason": "" }, text);
+
+/** @param {string} name @param {string} text @param {() => void} act */
+const command = (name, text, act) =>
+  h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);

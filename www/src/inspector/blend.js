@@ -1,0 +1,37 @@
+/**
+ * Blend: how many stages lie between the curves.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Group } from "./group.js"
+ */
+import { row } from "../controls/row.js";
+import { h } from "../dom.js";
+import { patch } from "../state/edits.js";
+import { strings } from "../strings.js";
+import { editing } from "./edit.js";
+import { weight } from "./weight.js";
+
+/** End of the slider, and the most stages the format allows. */
+const REACH = 20;
+const MOST = 200;
+
+/**
+ * @param {App} app
+ * @returns {Group}
+ */
+export function blendGroup(app) {
+  const words = strings.blend;
+  const stages = weight(
+    { label: words.stages, name: "stages", min: 1, reach: REACH, max: MOST, step: 1, whole: true },
+    editing(app, (document, value) =>
+      document.blend.stages === value ? document : patch(document, "blend", { stages: value }),
+    ),
+  );
+  return {
+    name: "blend",
+    heading: words.heading,
+    body: h("div", {}, row(words.stages, ...stages.controls)),
+    phrase: () => words.phrase(app.store.document.blend.stages),
+    render: () => stages.set(app.store.document.blend.stages),
+  };
+}

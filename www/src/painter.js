@@ -1,0 +1,150 @@
+/**
+ * Keeps picture and results up with the document: whatever changes, the newest state is asked for, one request at a
+ * time.
+ *
+ * @import { App } from "./state/app.js"
+ * @import { CurvesDocument, Match, PaintOptions, Picture, Problem, Size } from "./types.js"
+ *
+ * @typedef {object} Outcome
+ * @property {CurvesDocument} document
+ * @property {PromiseSettledResult<Match> | null} match null when the match was there already
+ * @property {PromiseSettledResult<Picture>} picture
+ * @property {number} ms
+ */
+import { Lane } from "./state/lane.js";
+import { strings } from "./strings.js";
+
+/** Device pixels painted at most while something moves, and the pause after which all of them are. */
+const MOVING_PIXELS = 1_000_000;
+const IDLE = 250;
+/** Longest side of a picture that the kernel paints. */
+const LARGEST = 4096;
+
+/**
+ * @param {App} app
+ * @returns {{update: () => void, retry: () => void, cancel: () => void}}
+ */
+export function createPainter(app) {
+  const { store, ui, results, kernel } = app;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let idle;
+  /** @type {PaintOptions | null} */
+  let asked = null;
+  /** @type {CurvesDocument | null} */
+  let askedFor = null;
+
+  /** @type {Lane<{fine: boolean}, Outcome>} */
+  const lane = new Lane({
+    async work({ fine }, signal) {
+      const { document } = store;
+      const started = performance.now();
+      const onprogress = (/** @type {number} */ progress) => results.set({ progress });
+      const [match, picture] = await Promise.allSettled([
+        results.value.matched === document ? null : kernel.match(document, { signal, onprogress }),
+        kernel.paint(document, options(fine), { signal }),
+      ]);
+      const solved = match.status === "fulfilled" && match.value === null ? null : match;
+      return {
+        document,
+        match: /** @type {PromiseSettledResult<Match> | null} */ (solved),
+        picture,
+        ms: performance.now() - started,
+      };
+    },
+    done: ({ document, match, picture, ms }) => {
+      const failure = [match, picture].find((r) => r?.status === "rejected" && isInterruption(r.reason));
+      if (failure?.status === "rejected") {
+        interrupted(failure.reason);
+        return;
+      }
+      if (picture.status === "fulfilled") results.set({ picture: picture.value });
+      if (match) {
+        results.set({
+          matched: document,
+          match: match.status === "fulfilled" ? match.value : null,
+          problem: match.status === "rejected" ? problem(match.reason) : null,
+          ms,
+        });
+      }
+    },
+    failed: interrupted,
+    slow: (slow) => results.set(slow ? { slow } : { slow, progress: 0 }),
+  });
+
+  /** @param {unknown} error */
+  function interrupted(error) {
+    const { name, code, message } = problem(error);
+    if (name === "AbortError") ui.set({ note: { tone: "plain", text: strings.status.cancelled } });
+    else if (code === "trap") ui.set({ note: { tone: "error", text: strings.errors.trap } });
+    else ui.set({ note: { tone: "error", text: message } });
+  }
+
+  /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
+  function options(fine) {
+    const { size, view, layers, theme, s, probe } = ui.value;
+    const full = window.devicePixelRatio || 1;
+    const moving = Math.min(full, Math.sqrt(MOVING_PIXELS / (size.width * size.height)));
+    const most = LARGEST / Math.max(size.width, size.height);
+    return {
+      ...devicePixels(size, Math.min(most, fine ? full : moving)),
+      ...(view ? { view } : {}),
+      layers,
+      theme,
+      s,
+      line: probe?.line ?? null,
+    };
+  }
+
+  /** @param {boolean} [force] */
+  function update(force = false) {
+    const { view, size } = ui.value;
+    if (!view || size.width < 1 || size.height < 1) return;
+    const next = options(false);
+    if (!force && askedFor === store.document && asked && same(asked, next)) return;
+    asked = next;
+    askedFor = store.document;
+    lane.push({ fine: false });
+    clearTimeout(idle);
+    if (next.pixelRatio < (window.devicePixelRatio || 1)) idle = setTimeout(() => lane.push({ fine: true }), IDLE);
+  }
+
+  return { update, retry: () => update(true), cancel: () => lane.cancel() };
+}
+
+/**
+ * A size in CSS pixels as the kernel takes it.
+ * @param {Size} size
+ * @param {number} pixelRatio
+ */
+export function devicePixels(size, pixelRatio) {
+  return { width: Math.round(size.width * pixelRatio), height: Math.round(size.height * pixelRatio), pixelRatio };
+}
+
+/** @param {PaintOptions} a @param {PaintOptions} b */
+function same(a, b) {
+  return JSON.stringify(a) === JSON.stringify(b);
+}
+
+/** @param {unknown} reason */
+function isInterruption(reason) {
+  const { name, code } = problem(reason);
+  return name === "AbortError" || code === "trap";
+}
+
+/**
+ * @param {unknown} reason
+ * @returns {Problem}
+ */
+export function problem(reason) {
+  if (reason instanceof Error) {
+    const { code = "unknown", path, at } = /** @type {Error & Partial<Problem>} */ (reason);
+    return {
+      name: reason.name,
+      code,
+      message: reason.message,
+      ...(path === undefined ? {} : { path }),
+      ...(at === undefined ? {} : { at }),
+    };
+  }
+  return { code: "unknown", message: String(reason) };
+}

@@ -1,0 +1,129 @@
+/**
+ * The place between the curves: play, slider and its reading.
+ *
+ * @import { App } from "../state/app.js"
+ */
+import { slider } from "../controls/slider.js";
+import { attribute, find, h, write } from "../dom.js";
+import { fixed } from "../format.js";
+import { icon, symbol } from "../icons.js";
+import { curveName } from "../state/app.js";
+import { strings } from "../strings.js";
+
+/** Milliseconds from one curve to the other. */
+const SWEEP = 4000;
+/** Stages past which ticks would run into each other. */
+const TICKS = 40;
+const STEP = 0.01;
+
+/** @param {App} app */
+export function createMorph(app) {
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  const play = h("button", { type: "button", class: "play", "data-play": "" });
+  const first = h("span", { class: "morph-end" });
+  const last = h("span", { class: "morph-end" });
+  const value = h("span", { class: "number strong" });
+  const stage = h("span", { class: "morph-stage number" });
+  const control = slider(
+    { label: strings.morph.slider, name: "s", min: 0, max: 1, step: STEP },
+    { change: (s) => app.ui.set({ s: snapped(s, app.store.document.blend.stages), playing: false }) },
+  );
+  const ticks = h("span", { class: "ticks", "aria-hidden": "true" });
+  control.element.prepend(ticks);
+  control.element.classList.add("large");
+  const reading = h(
+    "span",
+    { class: "morph-reading" },
+    symbol("s"),
+    " ",
+    value,
+    h("span", { class: "morph-stage" }, " · "),
+    stage,
+  );
+  find("#morph-controls").append(play, first, control.element, last, reading);
+
+  let direction = 1;
+  let before = 0;
+  let drawnTicks = -1;
+  let face = "";
+
+  /** @param {number} now */
+  function frame(now) {
+    const { playing, s } = app.ui.value;
+    if (!playing) return;
+    const elapsed = Math.min(100, now - before);
+    before = now;
+    let next = s + (direction * elapsed) / SWEEP;
+    if (next >= 1) [next, direction] = [1, -1];
+    if (next <= 0) [next, direction] = [0, 1];
+    app.ui.set({ s: next });
+    requestAnimationFrame(frame);
+  }
+
+  function toggle() {
+    const { playing, s } = app.ui.value;
+    if (still.matches) {
+      const { stages } = app.store.document.blend;
+      const j = Math.floor(s * stages + 1e-9) + 1;
+      const next = j > stages ? 0 : j / stages;
+      app.ui.set({ s: next, playing: false });
+      app.say(strings.morph.spoken(fixed(next, 2), stageText(next, stages)));
+      return;
+    }
+    app.ui.set({ playing: !playing });
+    if (playing) return;
+    before = performance.now();
+    requestAnimationFrame(frame);
+  }
+  play.addEventListener("click", toggle);
+
+  return {
+    toggle,
+    render() {
+      const { s, playing } = app.ui.value;
+      const { document } = app.store;
+      const { stages } = document.blend;
+      write(first, curveName(document, 0));
+      write(last, curveName(document, 1));
+      write(value, fixed(s, 2));
+      write(stage, stageText(s, stages));
+      control.set(s);
+      attribute(control.input, "aria-valuetext", strings.morph.spoken(fixed(s, 2), stageText(s, stages)));
+      const wanted = still.matches ? "step" : playing ? "pause" : "play";
+      if (wanted !== face) {
+        face = wanted;
+        play.replaceChildren(icon(wanted));
+        const label = strings.morph[wanted];
+        attribute(play, "aria-label", label);
+        attribute(play, "title", label);
+      }
+      const count = stages <= TICKS ? stages : 1;
+      if (count === drawnTicks) return;
+      drawnTicks = count;
+      ticks.replaceChildren(
+        ...Array.from({ length: count + 1 }, (_, j) => {
+          const tick = h("span", {});
+          tick.style.left = `${(100 * j) / count}%`;
+          return tick;
+        }),
+      );
+    },
+  };
+}
+
+/**
+ * The stage itself when the slider stands within half a step of it.
+ * @param {number} s
+ * @param {number} stages
+ */
+function snapped(s, stages) {
+  const stage = Math.round(s * stages) / stages;
+  return Math.abs(stage - s) <= STEP / 2 ? stage : s;
+}
+
+/** @param {number} s @param {number} stages */
+function stageText(s, stages) {
+  const j = s * stages;
+  const whole = Math.round(j);
+  return Math.abs(j - whole) < 1e-6 ? strings.morph.stage(whole, stages) : strings.morph.between(Math.floor(j), stages);
+}

@@ -1,0 +1,240 @@
+/**
+ * Pointer, wheel and touch on the figure: drag a point or a curve, pan, zoom about the pointer, pinch.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { CurvesDocument, Point } from "../types.js"
+ *
+ * @typedef {object} Drag
+ * @property {"point" | "curve" | "pan"} kind
+ * @property {string} run
+ * @property {Point} from CSS pixels
+ * @property {boolean} moved
+ * @property {(to: Point) => void} to
+ * @property {() => void} undo
+ */
+import { newRun } from "../controls/run.js";
+import { find } from "../dom.js";
+import { moveCurve, movePoint } from "../state/edits.js";
+import { aimed, panned, toPlane, zoomed } from "../view.js";
+import { selectionOf, spokenPlace } from "./handle-keys.js";
+import { insertAt } from "./points.js";
+import { zoomLimits } from "./zoom.js";
+
+/** Half the hit area of a handle, by pointer and by touch. */
+const REACH = { mouse: 12, touch: 22 };
+/** Pixels before a press counts as a drag. */
+const DEAD = 3;
+/** Wheel: factor for one pixel of scroll; a line counts as 16 pixels. */
+const WHEEL = 0.0016;
+const LINE = 16;
+
+/**
+ * @param {App} app
+ * @param {ReturnType<typeof import("./handles.js").createHandles>} handles
+ * @param {{hover: (at: Point | null) => void, tap: (at: Point) => void}} probe
+ */
+export function listenToPointer(app, handles, probe) {
+  const stage = find("#stage");
+  /** @type {Map<number, Point>} */
+  const down = new Map();
+  /** @type {Drag | null} */
+  let drag = null;
+  /** @type {number | null} */
+  let pinch = null;
+  /** @type {ReturnType<typeof selectionOf>} */
+  let pressed = null;
+
+  /** @param {MouseEvent} event @returns {Point} */
+  const place = (event) => {
+    const box = stage.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+  /** @param {Event} event */
+  const onFurniture = (event) => event.target instanceof Element && event.target.closest("[data-furniture]") !== null;
+  /** @param {Point} at @param {PointerEvent} event */
+  const under = (at, event) =>
+    handles.nearest(at, event.pointerType === "touch" ? REACH.touch : REACH.mouse) ?? selectionOf(event.target);
+
+  stage.addEventListener("pointerdown", (event) => {
+    if (event.button > 1 || onFurniture(event)) return;
+    const at = place(event);
+    down.set(event.pointerId, at);
+    stage.setPointerCapture(event.pointerId);
+    if (down.size === 2) {
+      drag?.undo();
+      finish();
+      pinch = spread(down);
+      return;
+    }
+    if (down.size > 2) return;
+    const held = event.button === 0 ? under(at, event) : null;
+    pressed = held;
+    event.preventDefault();
+    probe.hover(null);
+    if (held) {
+      app.ui.set({ selection: held });
+      handles.render();
+      handles.focus(held);
+      handles.hold(held, event.pointerType === "touch");
+      drag = held.point === null ? dragCurve(held.curve, at) : dragPoint(held.curve, held.point, at);
+    } else {
+      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+      drag = dragView(at);
+    }
+    stage.dataset.drag = drag.kind;
+  });
+
+  stage.addEventListener("pointermove", (event) => {
+    const at = place(event);
+    if (!down.has(event.pointerId)) {
+      if (event.pointerType === "touch") return;
+      const free = !onFurniture(event) && handles.nearest(at, REACH.mouse) === null;
+      probe.hover(free ? at : null);
+      return;
+    }
+    const before = /** @type {Point} */ (down.get(event.pointerId));
+    down.set(event.pointerId, at);
+    if (down.size === 2 && pinch !== null) {
+      const { view, size } = app.ui.value;
+      const now = spread(down);
+      if (!view || now === 0) return;
+      const slid = panned(view, [(at[0] - before[0]) / 2, (at[1] - before[1]) / 2]);
+      show(zoomed(slid, size, middle(down), now / pinch, zoomLimits(app)));
+      pinch = now;
+    } else if (drag) {
+      if (!drag.moved && Math.hypot(at[0] - drag.from[0], at[1] - drag.from[1]) < DEAD) return;
+      drag.moved = true;
+      drag.to(at);
+    }
+  });
+
+  /** @param {PointerEvent} event */
+  const up = (event) => {
+    if (!down.delete(event.pointerId)) return;
+    pinch = null;
+    if (!drag) return;
+    if (event.type === "pointercancel") drag.undo();
+    else if (!drag.moved && drag.kind === "pan" && event.pointerType === "touch") probe.tap(place(event));
+    else if (drag.moved && drag.kind !== "pan") speakSelection();
+    finish();
+  };
+  stage.addEventListener("pointerup", up);
+  stage.addEventListener("pointercancel", up);
+  stage.addEventListener("pointerleave", () => probe.hover(null));
+
+  stage.addEventListener("dblclick", (event) => {
+    const { view, size } = app.ui.value;
+    if (pressed?.point === null && view) void insertAt(app, pressed.curve, toPlane(view, size, place(event)));
+  });
+
+  stage.addEventListener(
+    "wheel",
+    (event) => {
+      const { view, size } = app.ui.value;
+      if (!view || onFurniture(event)) return;
+      event.preventDefault();
+      const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE : 1);
+      const factor = Math.exp(-pixels * WHEEL * (event.ctrlKey ? 5 : 1));
+      show(zoomed(view, size, place(event), factor, zoomLimits(app)));
+    },
+    { passive: false },
+  );
+
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (event.key !== "Escape" || !drag) return;
+      event.stopPropagation();
+      drag.undo();
+      finish();
+    },
+    { capture: true },
+  );
+
+  function finish() {
+    drag = null;
+    delete stage.dataset.drag;
+    handles.hold(null, false);
+    app.store.endRun();
+  }
+
+  function speakSelection() {
+    const { selection } = app.ui.value;
+    if (selection) app.say(spokenPlace(app, selection.curve, selection.point));
+  }
+
+  /** @param {import("../types.js").View} view */
+  function show(view) {
+    app.ui.set({ view, fitted: false });
+  }
+
+  /** @param {0 | 1} curve @param {number} point @param {Point} from @returns {Drag} */
+  function dragPoint(curve, point, from) {
+    const start = /** @type {Point} */ (app.store.document.curves[curve].points[point]);
+    return dragOf("point", from, (document, by) => movePoint(document, curve, point, aim(start, by)));
+  }
+
+  /** @param {0 | 1} curve @param {Point} from @returns {Drag} */
+  function dragCurve(curve, from) {
+    const start = app.store.document;
+    return dragOf("curve", from, (_, by) => moveCurve(start, curve, aim([0, 0], by)));
+  }
+
+  /**
+   * @param {"point" | "curve"} kind
+   * @param {Point} from
+   * @param {(document: CurvesDocument, by: Point) => CurvesDocument} change `by` in document units
+   * @returns {Drag}
+   */
+  function dragOf(kind, from, change) {
+    const run = newRun("drag");
+    return {
+      kind,
+      run,
+      from,
+      moved: false,
+      to(at) {
+        const { view } = app.ui.value;
+        if (!view) return;
+        const by = /** @type {Point} */ ([(at[0] - from[0]) / view.scale, (from[1] - at[1]) / view.scale]);
+        app.store.commit({ run, change: (document) => change(document, by) });
+      },
+      undo: () => app.store.cancel(run),
+    };
+  }
+
+  /** @param {Point} start @param {Point} by @returns {Point} */
+  function aim(start, by) {
+    const { view } = app.ui.value;
+    const x = start[0] + by[0];
+    const y = start[1] + by[1];
+    return view ? [aimed(x, view), aimed(y, view)] : [x, y];
+  }
+
+  /** @param {Point} from @returns {Drag} */
+  function dragView(from) {
+    const { view: start, fitted } = app.ui.value;
+    return {
+      kind: "pan",
+      run: "",
+      from,
+      moved: false,
+      to(at) {
+        if (start) show(panned(start, [at[0] - from[0], at[1] - from[1]]));
+      },
+      undo: () => app.ui.set({ view: start, fitted }),
+    };
+  }
+}
+
+/** @param {Map<number, Point>} down */
+function spread(down) {
+  const [a, b] = [...down.values()];
+  return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
+}
+
+/** @param {Map<number, Point>} down @returns {Point} */
+function middle(down) {
+  const [a = [0, 0], b = a] = [...down.values()];
+  return [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+}

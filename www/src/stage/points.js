@@ -1,0 +1,77 @@
+/**
+ * Adding and removing control points, from pointer, key and panel alike.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Curve, CurvesDocument, Point } from "../types.js"
+ */
+import { problem } from "../painter.js";
+import { nearestParameter } from "../spline.js";
+import { pointName } from "../state/app.js";
+import { canRemovePoint, handleCount, removePoint } from "../state/edits.js";
+import { strings } from "../strings.js";
+
+/**
+ * Adds a control point where the curve is nearest to `at`. The shape stays as it is.
+ * @param {App} app
+ * @param {0 | 1} index
+ * @param {Point} at
+ */
+export async function insertAt(app, index, at) {
+  const before = app.store.document;
+  const u = nearestParameter(before.curves[index], at);
+  try {
+    const after = /** @type {CurvesDocument} */ (await app.kernel.insertPoint(before, index, u));
+    if (app.store.document !== before) return;
+    app.store.commit({ change: () => after });
+    const curve = after.curves[index];
+    const point = nearestPoint(curve, at);
+    app.ui.set({ selection: { curve: index, point } });
+    app.say(strings.handles.inserted(pointName(index, point)));
+  } catch (error) {
+    app.ui.set({ note: { tone: "error", text: problem(error).message } });
+  }
+}
+
+/**
+ * Adds a control point between one and the next.
+ * @param {App} app
+ * @param {0 | 1} index
+ * @param {number} point
+ */
+export function insertAfter(app, index, point) {
+  const curve = app.store.document.curves[index];
+  const a = /** @type {Point} */ (curve.points[point]);
+  const b = /** @type {Point} */ (curve.points[(point + 1) % curve.points.length]);
+  return insertAt(app, index, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
+}
+
+/**
+ * @param {App} app
+ * @param {0 | 1} index
+ * @param {number} point
+ */
+export function remove(app, index, point) {
+  const curve = app.store.document.curves[index];
+  if (!canRemovePoint(curve)) {
+    const text = strings.handles.tooFew(curve.degree);
+    app.ui.set({ note: { tone: "plain", text } });
+    app.say(text);
+    return;
+  }
+  app.store.commit({ change: (document) => removePoint(document, index, point) });
+  const left = handleCount(app.store.document.curves[index]);
+  app.ui.set({ selection: { curve: index, point: Math.min(point, left - 1) } });
+  app.say(strings.handles.removed(pointName(index, point)));
+}
+
+/** @param {Curve} curve @param {Point} at */
+function nearestPoint(curve, at) {
+  let best = 0;
+  let least = Infinity;
+  for (let i = 0; i < handleCount(curve); i += 1) {
+    const [x, y] = /** @type {Point} */ (curve.points[i]);
+    const distance = Math.hypot(x - at[0], y - at[1]);
+    if (distance < least) [least, best] = [distance, i];
+  }
+  return best;
+}

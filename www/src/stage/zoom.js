@@ -1,0 +1,91 @@
+/**
+ * Fit, zoom buttons and scale bar.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Point } from "../types.js"
+ */
+import { find, h, write } from "../dom.js";
+import { fixed, percent } from "../format.js";
+import { icon } from "../icons.js";
+import { devicePixels } from "../painter.js";
+import { strings } from "../strings.js";
+import { niceBelow, zoomed } from "../view.js";
+
+/** Zoom of one press of a button or key, and how far from the fitted scale one can go. */
+const STEP = 1.25;
+const OUT = 1 / 20;
+const IN = 400;
+/** Longest scale bar in pixels, and on a canvas narrower than `NARROW`. */
+const BAR = 160;
+const SHORT_BAR = 110;
+const NARROW = 1060;
+
+/** @param {App} app */
+export function zoomLimits(app) {
+  const { fitScale } = app.ui.value;
+  return { min: fitScale * OUT, max: fitScale * IN };
+}
+
+/**
+ * Shows everything, clear of what stands at the lower edge of the canvas.
+ * @param {App} app
+ */
+export async function fit(app) {
+  const { size } = app.ui.value;
+  if (size.width < 1 || size.height < 1) return;
+  const covered = find("#morph").offsetHeight;
+  const free = { width: size.width, height: Math.max(1, size.height - covered) };
+  const { document } = app.store;
+  const view = await app.kernel.fit(document, devicePixels(free, 1));
+  if (app.store.document !== document) return;
+  const center = /** @type {Point} */ ([view.center[0], view.center[1] - covered / 2 / view.scale]);
+  app.ui.set({ view: { center, scale: view.scale }, fitted: true, fitScale: view.scale });
+}
+
+/**
+ * @param {App} app
+ * @param {number} steps positive zooms in
+ */
+export function zoomBy(app, steps) {
+  const { view, size } = app.ui.value;
+  if (!view) return;
+  const middle = /** @type {Point} */ ([size.width / 2, size.height / 2]);
+  app.ui.set({ view: zoomed(view, size, middle, STEP ** steps, zoomLimits(app)), fitted: false });
+}
+
+/** @param {App} app */
+export function createZoom(app) {
+  const percentage = h("span", { class: "zoom-value number" });
+  const button = (/** @type {string} */ name, /** @type {string} */ label, /** @type {() => void} */ act) =>
+    h(
+      "button",
+      { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-zoom": name, onclick: act },
+      icon(name),
+    );
+  find("#zoom").append(
+    button("minus", strings.canvas.zoomOut, () => zoomBy(app, -1)),
+    percentage,
+    button("plus", strings.canvas.zoomIn, () => zoomBy(app, 1)),
+    button("fit", strings.canvas.fit, () => void fit(app)),
+  );
+  const text = h("span", { class: "number" });
+  const bar = h("span", { class: "scale-line" });
+  find("#scale").append(text, bar);
+
+  return {
+    render() {
+      const { view, fitScale, size } = app.ui.value;
+      if (!view) return;
+      write(percentage, percent(view.scale / fitScale));
+      const length = niceBelow((size.width < NARROW ? SHORT_BAR : BAR) / view.scale);
+      bar.style.width = `${length * view.scale}px`;
+      write(text, scaleText(length, app.store.document.unit));
+    },
+  };
+}
+
+/** @param {number} length @param {string} unit */
+function scaleText(length, unit) {
+  const decimals = Math.max(0, -Math.floor(Math.log10(length) + 1e-9));
+  return `${fixed(length, decimals)}\u00a0${unit}`;
+}

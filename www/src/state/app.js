@@ -1,0 +1,108 @@
+/**
+ * What every part of the page is given: the document store, what is shown besides it, and the results.
+ *
+ * @import { CurvesDocument, Kernel, LayerName, Match, Picture, Point, Probe, Problem, Selection, Size, View } from "../types.js"
+ *
+ * @typedef {object} Note A sentence in the status line that stands until the next edit.
+ * @property {"plain" | "error"} tone
+ * @property {string} text
+ *
+ * @typedef {object} Ui
+ * @property {Selection | null} selection
+ * @property {View | null} view null until the first fit
+ * @property {boolean} fitted the view follows the size of the window
+ * @property {number} fitScale the scale that counts as 100 %
+ * @property {Size} size of the canvas
+ * @property {LayerName[]} layers
+ * @property {number} s place of the current in-between, 0 on the first curve
+ * @property {boolean} playing
+ * @property {"light" | "dark"} theme
+ * @property {Probe | null} probe
+ * @property {Point | null} witness a place the person asked to see
+ * @property {Note | null} note
+ * @property {string[]} open names of the open groups
+ * @property {string} tab the group shown on a phone
+ *
+ * @typedef {object} Results
+ * @property {CurvesDocument | null} matched the document that `match` or `problem` belongs to
+ * @property {Match | null} match
+ * @property {Problem | null} problem why there is no match
+ * @property {Picture | null} picture
+ * @property {number | null} ms from the edit to its picture
+ * @property {boolean} slow work runs for longer than a moment
+ * @property {number} progress share of the running work that is done, 0 to 1
+ *
+ * @typedef {object} App
+ * @property {import("./store.js").Store} store
+ * @property {import("./record.js").Record<Ui>} ui
+ * @property {import("./record.js").Record<Results>} results
+ * @property {Kernel} kernel
+ * @property {(text: string) => void} say speaks through the live region
+ * @property {() => void} retry asks for the picture again
+ * @property {() => void} cancel gives up running work
+ */
+import { strings } from "../strings.js";
+
+/** Layers in the order of the panel, with the ones shown at first. */
+export const LAYERS = /** @type {const} */ ([
+  "material",
+  "rulingLines",
+  "inBetweens",
+  "samples",
+  "controlPoints",
+  "normals",
+  "grid",
+  "value",
+  "unitCells",
+  "unconnected",
+]);
+
+/** @type {readonly LayerName[]} */
+export const FIRST_LAYERS = ["material", "rulingLines", "inBetweens", "samples", "controlPoints", "grid"];
+
+/** @type {Readonly<Results>} */
+export const NO_RESULTS = {
+  matched: null,
+  match: null,
+  problem: null,
+  picture: null,
+  ms: null,
+  slow: false,
+  progress: 0,
+};
+
+/**
+ * The name of a curve as a person reads it: its own, or by which one lies outside.
+ * @param {CurvesDocument} document
+ * @param {number} index
+ */
+export function curveName(document, index) {
+  const own = document.curves[index]?.name;
+  if (own) return own;
+  const reach = document.curves.map(({ points }) => {
+    const xs = points.map((p) => p[0]);
+    const ys = points.map((p) => p[1]);
+    return (Math.max(...xs) - Math.min(...xs)) * (Math.max(...ys) - Math.min(...ys));
+  });
+  const [first = 0, second = 0] = reach;
+  const outer = first > second ? 0 : 1;
+  return index === outer ? strings.curves.outer : strings.curves.inner;
+}
+
+/**
+ * The short name of a control point: A1 on the first curve, B1 on the second.
+ * @param {number} curve
+ * @param {number} point
+ */
+export function pointName(curve, point) {
+  return `${curve === 0 ? "A" : "B"}${point + 1}`;
+}
+
+/**
+ * The part of the results that belongs to the document as it stands now.
+ * @param {App} app
+ */
+export function currentMatch(app) {
+  const { match, matched } = app.results.value;
+  return matched === app.store.document ? match : null;
+}

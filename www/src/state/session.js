@@ -1,0 +1,57 @@
+/**
+ * Keeps the work across a reload and the back button, in the entry of the browser's own history.
+ *
+ * @import { App, Ui } from "./app.js"
+ * @import { CurvesDocument } from "../types.js"
+ *
+ * @typedef {object} Session
+ * @property {CurvesDocument} document
+ * @property {boolean} edited
+ * @property {Partial<Ui>} ui
+ */
+
+/** Milliseconds of rest before the work is kept. */
+const PAUSE = 800;
+const VERSION = 1;
+
+/** @returns {Session | null} */
+export function restore() {
+  const state = history.state;
+  if (typeof state !== "object" || state === null || state.directrix !== VERSION) return null;
+  const { document, edited, ui } = state;
+  return document && ui ? { document, edited: edited === true, ui } : null;
+}
+
+/** @param {App} app */
+export function keep(app) {
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+  const write = () => {
+    clearTimeout(timer);
+    const { selection, view, fitted, fitScale, layers, s, open, tab } = app.ui.value;
+    try {
+      history.replaceState(
+        {
+          directrix: VERSION,
+          document: app.store.document,
+          edited: app.store.edited,
+          ui: { selection, view, fitted, fitScale, layers, s, open, tab },
+        },
+        "",
+      );
+    } catch {
+      // A document past the browser's own limit is not kept across a reload; the page goes on.
+    }
+  };
+  const later = () => {
+    clearTimeout(timer);
+    timer = setTimeout(write, PAUSE);
+  };
+  app.store.subscribe(later);
+  app.ui.subscribe((ui, before) => {
+    if (ui.playing && ui.s !== before.s) return;
+    if (ui.probe !== before.probe && ui.view === before.view) return;
+    later();
+  });
+  addEventListener("pagehide", write);
+}

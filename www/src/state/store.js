@@ -1,0 +1,133 @@
+/**
+ * The open document and its command log.
+ *
+ * A document is never changed in place: an edit builds the next one and the log keeps both. Pointer, keyboard, number
+ * fields and menus all end in `commit`, so undo sees one kind of edit.
+ *
+ * @import { CurvesDocument } from "../types.js"
+ *
+ * @typedef {object} Edit
+ * @property {(document: CurvesDocument) => CurvesDocument} change
+ *   Pure. Returns the same object when there is nothing to do.
+ * @property {string} [run]
+ *   Edits that follow each other with the same name are one entry of the log: one drag, one sweep of a slider.
+ *
+ * @typedef {{run: string | null, before: CurvesDocument, after: CurvesDocument}} Entry
+ */
+
+export class Store {
+  /** @type {CurvesDocument} */ #document;
+  /** @type {CurvesDocument} */ #kept;
+  /** @type {Entry[]} */ #past = [];
+  /** @type {Entry[]} */ #future = [];
+  /** @type {string | null} */ #run = null;
+  /** @type {Set<() => void>} */ #listeners = new Set();
+
+  /** @param {CurvesDocument} document */
+  constructor(document) {
+    this.#document = document;
+    this.#kept = document;
+  }
+
+  get document() {
+    return this.#document;
+  }
+
+  get canUndo() {
+    return this.#past.length > 0;
+  }
+
+  get canRedo() {
+    return this.#future.length > 0;
+  }
+
+  /** Whether the document differs from the one that was opened or last written to a file. */
+  get edited() {
+    return this.#document !== this.#kept;
+  }
+
+  /** @param {Edit} edit */
+  commit({ change, run }) {
+    const before = this.#document;
+    const after = change(before);
+    if (after === before) return;
+    const last = this.#past.at(-1);
+    if (run !== undefined && run === this.#run && last) {
+      this.#past[this.#past.length - 1] = { ...last, after };
+    } else {
+      this.#past.push({ run: run ?? null, before, after });
+    }
+    this.#run = run ?? null;
+    this.#future = [];
+    this.#become(after);
+  }
+
+  /** Closes a run, so that the next edit is an entry of its own. */
+  endRun() {
+    this.#run = null;
+  }
+
+  /**
+   * Takes back a run that is still open and leaves no trace of it in the log.
+   * @param {string} run
+   * @returns {boolean} whether there was one
+   */
+  cancel(run) {
+    if (this.#run !== run) return false;
+    const last = this.#past.pop();
+    this.#run = null;
+    if (!last) return false;
+    this.#become(last.before);
+    return true;
+  }
+
+  undo() {
+    const entry = this.#past.pop();
+    if (!entry) return;
+    this.#future.push(entry);
+    this.#run = null;
+    this.#become(entry.before);
+  }
+
+  redo() {
+    const entry = this.#future.pop();
+    if (!entry) return;
+    this.#past.push(entry);
+    this.#run = null;
+    this.#become(entry.after);
+  }
+
+  /**
+   * Replaces everything: a preset or a file was opened.
+   * @param {CurvesDocument} document
+   * @param {boolean} [edited] whether it counts as edited from the start (a reload of edited work)
+   */
+  open(document, edited = false) {
+    this.#past = [];
+    this.#future = [];
+    this.#run = null;
+    this.#kept = edited ? { ...document } : document;
+    this.#become(document);
+  }
+
+  /** The document as it stands was written to a file. */
+  kept() {
+    this.#kept = this.#document;
+    this.#tell();
+  }
+
+  /** @param {() => void} listener */
+  subscribe(listener) {
+    this.#listeners.add(listener);
+  }
+
+  /** @param {CurvesDocument} document */
+  #become(document) {
+    this.#document = document;
+    this.#tell();
+  }
+
+  #tell() {
+    for (const listener of this.#listeners) listener();
+  }
+}

@@ -1,0 +1,70 @@
+/**
+ * Shapes of the data the page passes around. Types only; nothing here runs. What the kernel takes and gives is typed by
+ * the kernel's own declarations; a document in the page is complete, with every default written out.
+ *
+ * @typedef {import("../../js/directrix.js").Point} Point
+ * @typedef {import("../../js/directrix.js").Material} Material
+ * @typedef {import("../../js/directrix.js").CompositionKey} CompositionKey
+ * @typedef {import("../../js/directrix.js").LayerName} LayerName
+ * @typedef {import("../../js/directrix.js").Match} Match
+ * @typedef {import("../../js/directrix.js").Diagnostic} Diagnostic
+ * @typedef {import("../../js/directrix.js").LineTotals} Totals
+ * @typedef {import("../../js/directrix.js").Probe} Probe
+ * @typedef {import("../../js/directrix.js").Picture} Picture
+ * @typedef {import("../../js/directrix.js").PictureOptions} PaintOptions
+ * @typedef {import("../../js/directrix.js").View} View
+ * @typedef {import("../../js/directrix.js").Connection} Kernel
+ *
+ * @typedef {object} Curve
+ * @property {string} [name]
+ * @property {number} degree
+ * @property {"periodic" | "clamped"} form
+ * @property {Point[]} points
+ * @property {number[]} [knots]
+ * @property {number} height
+ * @property {CompositionKey[]} composition
+ *
+ * @typedef {object} Sampling
+ * @property {"arc-length" | "parameter"} scheme
+ * @property {[number, number]} counts
+ *
+ * @typedef {object} Matching
+ * @property {"greedy"} method
+ * @property {number} normalWeight
+ * @property {number} distanceWeight
+ * @property {number} alignmentWeight
+ * @property {"signed" | "clamp" | "half"} negative
+ * @property {boolean} oneToOne
+ *
+ * @typedef {object} Blend
+ * @property {"ruled"} kind
+ * @property {number} stages
+ *
+ * @typedef {object} DocumentView
+ * @property {LayerName[]} [layers]
+ * @property {Point} [center]
+ * @property {number} [span] document units across the shorter side of the picture
+ * @property {number} [s]
+ *
+ * @typedef {object} CurvesDocument
+ * @property {1} directrix
+ * @property {"curves"} kind
+ * @property {string} title
+ * @property {string} unit
+ * @property {Material[]} materials
+ * @property {[Curve, Curve]} curves
+ * @property {Sampling} sampling
+ * @property {Matching} matching
+ * @property {Blend} blend
+ * @property {DocumentView} [view]
+ *
+ * @typedef {{width: number, height: number}} Size CSS pixels.
+ *
+ * @typedef {object} Selection
+ * @property {0 | 1} curve
+ * @property {number | null} point index of a control point, or null for the whole curve
+ *
+ * @typedef {{code: string, path?: string, message: string, name?: string, at?: Point}} Problem
+ *   What is left of a DirectrixError once it is shown.
+ */
+export {};
