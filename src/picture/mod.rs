@@ -14,7 +14,7 @@ mod raster;
 mod scalar;
 mod shade;
 mod svg;
-mod svg_cells;
+mod svg_shade;
 mod theme;
 mod thin;
 mod viewport;

@@ -1,27 +1,28 @@
 //! The SVG writer.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use glam::DVec2;
 
 use super::clip::Frame;
 use super::grid::{GridLine, grid_lines};
-use super::svg_cells::{flat_cells, mean_color};
+use super::svg_shade::{Patch, Shade, mean_color, patches};
 use super::{DisplayList, Item, Mesh, Path, StrokeStyle, Viewport};
+use crate::material::Color;
 
 /// Room round the picture in which geometry is kept, in device pixels on top of the width of the line.
 const MARGIN: f64 = 16.0;
 
-/// Width of the line in its own colour round each flat cell of a mesh, in CSS pixels. Renderers anti-alias each cell by
-/// itself, so that cells that only touch would let the background through. With a pixel of overlap on both sides none shows, down
-/// to half the size; the neighbours hardly differ in colour, so that the overlap does not show either.
-const CELL_OVERLAP: &str = "2";
+/// Width of the line in its own shade round each patch of a mesh, in CSS pixels. Renderers anti-alias each patch by
+/// itself, so that patches that only touch would let the background through. With a pixel of overlap on both sides none shows,
+/// down to half the size; the neighbours hardly differ in colour, so that the overlap does not show either.
+const PATCH_OVERLAP: &str = "2";
 
 /// Writes a picture as an SVG document of `width / pixel_ratio` by `height / pixel_ratio` CSS pixels.
 ///
-/// Each layer is a group whose id is made from its name. A mesh, which SVG cannot shade smoothly, is written as flat cells
-/// fine enough that their steps hardly show, clipped by its outline. Title and description are text for
+/// Each layer is a group whose id is made from its name. A mesh, which SVG cannot shade as such, is written as
+/// patches with a linear gradient each, clipped by its outline. Title and description are text for
 /// readers and screen readers, and are escaped.
 ///
 /// An item that [`paint`](super::paint) would refuse is left out, and a viewport that it would refuse gives an empty picture.
@@ -162,38 +163,72 @@ impl<'a> Writer<'a> {
         self.add("</g>\n");
     }
 
-    /// The mesh as flat cells over its mean colour, all inside the outline.
+    /// The mesh as shaded patches over its mean colour, all inside the outline.
     fn mesh(&mut self, mesh: &Mesh, outline: &Path, opacity: f32) {
-        let frame = Frame::around(self.viewport, MARGIN);
-        let cells = flat_cells(mesh, self.viewport, &frame);
+        let patches = patches(mesh, self.viewport, &Frame::around(self.viewport, MARGIN));
         let clip = self.polygons(outline);
         let hidden = !outline.rings.is_empty() && clip.is_empty();
-        if cells.is_empty() || hidden {
+        if patches.is_empty() || hidden {
             return;
         }
+        // Equal ids then mean equal clips and, with the ids of the gradients, equal shades nearly always.
+        let name = format!("{:016x}", hash(&format!("{clip}{}", self.out.len())));
         let mut reference = String::new();
         if !clip.is_empty() {
-            // Equal ids then mean equal clips, so pictures in one page cannot disturb each other.
-            let id = format!("clip-{:016x}", hash(&clip));
             self.add(&format!(
-                "<clipPath id=\"{id}\"><path clip-rule=\"evenodd\" d=\"{clip}\"/></clipPath>\n"
+                "<clipPath id=\"clip-{name}\"><path clip-rule=\"evenodd\" d=\"{clip}\"/></clipPath>\n"
             ));
-            reference = format!(" clip-path=\"url(#{id})\"");
+            reference = format!(" clip-path=\"url(#clip-{name})\"");
         }
         let opacity = attribute("opacity", opacity);
-        let below = mean_color(mesh);
         self.add(&format!(
-            "<g{reference}{opacity} stroke-width=\"{CELL_OVERLAP}\" stroke-linejoin=\"round\">\n"
+            "<g{reference}{opacity} stroke-width=\"{PATCH_OVERLAP}\" stroke-linejoin=\"round\">\n"
         ));
         if !clip.is_empty() {
+            let below = mean_color(mesh);
             self.add(&format!("<path fill=\"{below}\" fill-rule=\"evenodd\" d=\"{clip}\"/>\n"));
         }
-        for (color, polygons) in cells {
-            let mut data = String::new();
-            polygons.iter().for_each(|points| self.push_line(&mut data, points, true));
-            self.add(&format!("<path fill=\"{color}\" stroke=\"{color}\" d=\"{data}\"/>\n"));
+        let mut ramps = BTreeMap::new();
+        for (k, patch) in patches.iter().enumerate() {
+            self.patch(patch, &format!("{name}-{k}"), &mut ramps);
         }
         self.add("</g>\n");
+    }
+
+    /// One patch. `ramps` holds the stops written so far with their ids: later gradients refer to them.
+    fn patch(&mut self, patch: &Patch, name: &str, ramps: &mut BTreeMap<String, String>) {
+        let paint = match &patch.shade {
+            Shade::Flat(color) => color.to_string(),
+            Shade::Linear { from, to, stops } => {
+                let ramp = self.ramp(stops, name, ramps);
+                let [x1, y1, x2, y2] = [from.x, from.y, to.x, to.y].map(|at| number(at * self.unit));
+                self.add(&format!(
+                    "<linearGradient id=\"g-{name}\" href=\"#{ramp}\" gradientUnits=\"userSpaceOnUse\" \
+                     x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>"
+                ));
+                format!("url(#g-{name})")
+            }
+        };
+        let mut data = String::new();
+        self.push_line(&mut data, &patch.ring, true);
+        self.add(&format!("<path fill=\"{paint}\" stroke=\"{paint}\" d=\"{data}\"/>\n"));
+    }
+
+    /// The id of a gradient that holds the stops.
+    fn ramp(&mut self, stops: &[Color], name: &str, ramps: &mut BTreeMap<String, String>) -> String {
+        let last = stops.len().saturating_sub(1).max(1) as f64;
+        let mut text = String::new();
+        for (k, color) in stops.iter().enumerate() {
+            let offset = number(k as f64 / last);
+            text += &format!("<stop offset=\"{offset}\" stop-color=\"{color}\"/>");
+        }
+        if let Some(id) = ramps.get(&text) {
+            return id.clone();
+        }
+        let id = format!("r-{name}");
+        self.add(&format!("<linearGradient id=\"{id}\">{text}</linearGradient>\n"));
+        ramps.insert(text, id.clone());
+        id
     }
 
     fn polygons(&self, path: &Path) -> String {
