@@ -80,6 +80,7 @@ export const strings = {
     addHelp: "Add a control point, keeping the shape",
     remove: "Remove point",
     removeHelp: "Remove the selected control point",
+    removeNone: "Select a control point first",
   },
 
   sampling: {

@@ -140,6 +140,8 @@ export function curvesGroup(app) {
       name.set(curveName(document, curve));
       height.set(shape.height);
       removing.disabled = point === null || !canRemovePoint(shape);
+      if (!removing.disabled) removing.title = words.removeHelp;
+      else removing.title = point === null ? words.removeNone : strings.handles.tooFew(shape.degree);
     },
   };
 }
