@@ -17,6 +17,9 @@ const warmUpRuns = 5;
 const leastRuns = 20;
 /** Milliseconds after which no further run is started once there are enough. */
 const longEnough = 1500;
+/** Milliseconds after which no further run is started although there are few: a case that takes seconds tells enough in three. */
+const tooLong = 10_000;
+const fewestRuns = 3;
 
 /**
  * Runs the work a few times unmeasured, until the engine has compiled it in full, then measures it.
@@ -25,17 +28,25 @@ const longEnough = 1500;
  * @returns {Times}
  */
 export function measure(work) {
-  for (let run = 0; run < warmUpRuns; run++) work();
+  const begin = performance.now();
+  for (let run = 0; run < warmUpRuns && performance.now() - begin < longEnough; run++) work();
   /** @type {number[]} */
   const times = [];
-  const begin = performance.now();
-  while (times.length < leastRuns || performance.now() - begin < longEnough) {
+  for (const first = performance.now(); !isEnough(times.length, performance.now() - first); ) {
     const start = performance.now();
     work();
     times.push(performance.now() - start);
   }
   times.sort((a, b) => a - b);
   return { median: quantile(times, 0.5), p90: quantile(times, 0.9), runs: times.length };
+}
+
+/**
+ * @param {number} runs
+ * @param {number} elapsed milliseconds
+ */
+function isEnough(runs, elapsed) {
+  return (runs >= leastRuns && elapsed >= longEnough) || (runs >= fewestRuns && elapsed >= tooLong);
 }
 
 /**

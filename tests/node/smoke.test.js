@@ -38,8 +38,8 @@ for (const module of /** @type {const} */ (["figure", "full"])) {
     assert.equal(match.ok, true);
     assert.deepEqual(match.samples.map(({ points }) => points.length), [samples, samples]);
     assert.ok(match.lines.length >= samples, `${match.lines.length} lines for ${samples} vertices`);
-    assert.equal(match.totals.lines.crossings, 0);
-    assert.equal(match.totals.lines.blocked, 0);
+    assert.equal(match.totals.lines?.crossings, 0);
+    assert.equal(match.totals.lines?.blocked, 0);
   });
 }
 
