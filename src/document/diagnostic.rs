@@ -1,5 +1,6 @@
 //! Remarks on a document whose fields are all valid.
 
+use crate::geom::ShownPlace;
 use glam::DVec2;
 use std::fmt;
 
@@ -70,10 +71,10 @@ impl Diagnostic {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let near = |f: &mut fmt::Formatter<'_>, at: &DVec2| write!(f, " near ({:.2}, {:.2})", at.x, at.y);
+        let near = |f: &mut fmt::Formatter<'_>, at: &DVec2| write!(f, " near {}", ShownPlace(*at));
         match self {
             Self::Corner { curve, at, turn, .. } => {
-                write!(f, "curve {curve} has a corner of {turn:.0} degrees")?;
+                write!(f, "curve {curve} has a corner of {} degrees", turn.round())?;
                 near(f, at)
             }
             Self::OpposedNormals { lines } => {

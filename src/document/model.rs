@@ -3,7 +3,7 @@
 use super::schema::{CurveForm, CurveSpec, NegativeMode, SamplingScheme};
 use super::{Code, CurvesDocument, DocumentError};
 use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample};
-use crate::geom::Bounds;
+use crate::geom::{Bounds, ShownPlace};
 use crate::matching::{NegativeProducts, Weights};
 use crate::material::{Color, Composition, Material, Profile};
 use glam::DVec2;
@@ -117,11 +117,12 @@ impl Model {
     /// Finds a place where a curve meets itself, or where the two meet at equal heights, on the curves themselves.
     #[must_use]
     pub fn fault(&self) -> Option<DocumentError> {
-        let place = |at: DVec2| format!("({:.3}, {:.3})", at.x, at.y);
         for (k, curve) in self.curves.iter().enumerate() {
             if let Some(meeting) = curve.self_intersection() {
-                let message =
-                    format!("the curve meets itself near {}; expected a simple curve", place(meeting.at));
+                let message = format!(
+                    "the curve meets itself near {}; expected a simple curve",
+                    ShownPlace(meeting.at)
+                );
                 let error =
                     DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
                 return Some(error.with_place(meeting.at));
@@ -132,7 +133,7 @@ impl Model {
         }
         let meeting = self.curves[0].contact(&self.curves[1])?;
         let message =
-            format!("the two curves meet near {}; expected curves that keep apart", place(meeting.at));
+            format!("the two curves meet near {}; expected curves that keep apart", ShownPlace(meeting.at));
         Some(DocumentError::new(Code::Contact, "curves[1].points", message).with_place(meeting.at))
     }
 }

@@ -6,6 +6,7 @@ mod orient;
 mod polygon;
 mod quadrature;
 mod segment_grid;
+mod shown;
 
 pub use bounds::Bounds;
 pub use deepest_point::deepest_point;
@@ -13,3 +14,4 @@ pub use orient::{orient2d, segment_crossing, segments_meet};
 pub use polygon::{Location, first_contact, first_self_contact, locate, signed_area};
 pub use quadrature::{GAUSS_16, GaussLegendre};
 pub use segment_grid::SegmentGrid;
+pub use shown::{Shown, ShownPlace};

@@ -3,7 +3,8 @@
 use super::value::End;
 use super::{Outline, Weights, round_to_40_bits};
 use crate::geom::{
-    Bounds, Location, deepest_point, first_contact, first_self_contact, locate, segment_crossing, signed_area,
+    Bounds, Location, ShownPlace, deepest_point, first_contact, first_self_contact, locate, segment_crossing,
+    signed_area,
 };
 use glam::DVec2;
 use std::f64::consts::{PI, TAU};
@@ -46,16 +47,12 @@ impl fmt::Display for ProblemError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotSimple { outline, at } => {
-                write!(
-                    f,
-                    "the polygon sampled from curve {outline} meets itself near ({:.3}, {:.3})",
-                    at.x, at.y
-                )
+                write!(f, "the polygon sampled from curve {outline} meets itself near {}", ShownPlace(*at))
             }
             Self::NotCounterClockwise { outline } => {
                 write!(f, "the polygon sampled from curve {outline} does not run counter-clockwise")
             }
-            Self::Meet { at } => write!(f, "the sampled polygons meet near ({:.3}, {:.3})", at.x, at.y),
+            Self::Meet { at } => write!(f, "the sampled polygons meet near {}", ShownPlace(*at)),
             Self::Apart => write!(f, "neither curve lies inside the other"),
         }
     }

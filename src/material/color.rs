@@ -38,7 +38,7 @@ pub struct ColorError {
 
 impl fmt::Display for ColorError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "color {:?}: expected # and six hexadecimal digits, such as #0072b2", self.text)
+        write!(f, "\"{}\" was found; expected # and six hexadecimal digits, such as #0072b2", self.text)
     }
 }
 

@@ -67,18 +67,18 @@ impl fmt::Display for PaintError {
                 write!(f, "viewport {field} is {value}: expected {expected}")
             }
             Self::Item { layer, field, value, expected } => {
-                write!(f, "layer {layer:?}, {field} is {value}: expected {expected}")
+                write!(f, "layer \"{layer}\", {field} is {value}: expected {expected}")
             }
             Self::MeshColors { layer, colors, vertices } => {
                 write!(
                     f,
-                    "layer {layer:?}, mesh has {colors} colors: expected one for each of its {vertices} vertices"
+                    "layer \"{layer}\", mesh has {colors} colors: expected one for each of its {vertices} vertices"
                 )
             }
             Self::MeshIndex { layer, triangle, index, vertices } => {
                 write!(
                     f,
-                    "layer {layer:?}, mesh triangle {triangle} names vertex {index}: expected less than {vertices}"
+                    "layer \"{layer}\", mesh triangle {triangle} names vertex {index}: expected less than {vertices}"
                 )
             }
         }

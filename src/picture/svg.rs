@@ -1,6 +1,5 @@
 //! The SVG writer.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use glam::DVec2;
@@ -37,6 +36,12 @@ pub fn to_svg(list: &DisplayList, viewport: &Viewport, title: &str, description:
     writer.out
 }
 
+/// Stops that are written, with the id of the gradient that holds them.
+struct Ramp {
+    stops: Vec<Color>,
+    id: String,
+}
+
 struct Writer<'a> {
     out: String,
     viewport: &'a Viewport,
@@ -68,7 +73,7 @@ impl<'a> Writer<'a> {
         if let Some(color) = list.background {
             self.add(&format!("<rect width=\"100%\" height=\"100%\" fill=\"{color}\"/>\n"));
         }
-        let mut ids = BTreeSet::new();
+        let mut ids = Vec::new();
         for layer in &list.layers {
             self.add(&format!("<g id=\"{}\">\n", fresh_id(&layer.name, &mut ids)));
             for item in layer.items.iter().filter(|item| item.check(&layer.name).is_ok()) {
@@ -188,15 +193,15 @@ impl<'a> Writer<'a> {
             let below = mean_color(mesh);
             self.add(&format!("<path fill=\"{below}\" fill-rule=\"evenodd\" d=\"{clip}\"/>\n"));
         }
-        let mut ramps = BTreeMap::new();
+        let mut ramps = Vec::new();
         for (k, patch) in patches.iter().enumerate() {
             self.patch(patch, &format!("{name}-{k}"), &mut ramps);
         }
         self.add("</g>\n");
     }
 
-    /// One patch. `ramps` holds the stops written so far with their ids: later gradients refer to them.
-    fn patch(&mut self, patch: &Patch, name: &str, ramps: &mut BTreeMap<String, String>) {
+    /// One patch. Later gradients refer to the stops written so far, `ramps`.
+    fn patch(&mut self, patch: &Patch, name: &str, ramps: &mut Vec<Ramp>) {
         let paint = match &patch.shade {
             Shade::Flat(color) => color.to_string(),
             Shade::Linear { from, to, stops } => {
@@ -215,19 +220,19 @@ impl<'a> Writer<'a> {
     }
 
     /// The id of a gradient that holds the stops.
-    fn ramp(&mut self, stops: &[Color], name: &str, ramps: &mut BTreeMap<String, String>) -> String {
+    fn ramp(&mut self, stops: &[Color], name: &str, ramps: &mut Vec<Ramp>) -> String {
+        if let Some(ramp) = ramps.iter().find(|ramp| ramp.stops == stops) {
+            return ramp.id.clone();
+        }
         let last = stops.len().saturating_sub(1).max(1) as f64;
         let mut text = String::new();
         for (k, color) in stops.iter().enumerate() {
             let offset = number(k as f64 / last);
             text += &format!("<stop offset=\"{offset}\" stop-color=\"{color}\"/>");
         }
-        if let Some(id) = ramps.get(&text) {
-            return id.clone();
-        }
         let id = format!("r-{name}");
         self.add(&format!("<linearGradient id=\"{id}\">{text}</linearGradient>\n"));
-        ramps.insert(text, id.clone());
+        ramps.push(Ramp { stops: stops.to_vec(), id: id.clone() });
         id
     }
 
@@ -308,16 +313,16 @@ fn attribute(name: &str, opacity: f32) -> String {
     if opacity >= 1.0 { String::new() } else { format!(" {name}=\"{}\"", number(opacity.into())) }
 }
 
-/// A number with at most two decimals and nothing superfluous.
+/// A number with at most two decimals and nothing superfluous. Coordinates are clipped long before they leave its range.
 fn number(value: f64) -> String {
-    let mut text = format!("{value:.2}");
-    while text.ends_with('0') {
-        text.pop();
+    let hundredths = (value * 100.0).round() as i64;
+    let (whole, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
+    let sign = if hundredths < 0 { "-" } else { "" };
+    match rest {
+        0 => format!("{sign}{whole}"),
+        _ if rest % 10 == 0 => format!("{sign}{whole}.{}", rest / 10),
+        _ => format!("{sign}{whole}.{rest:02}"),
     }
-    if text.ends_with('.') {
-        text.pop();
-    }
-    if text == "-0" { "0".to_owned() } else { text }
 }
 
 /// Text that XML reads back as the same text, except characters that XML cannot hold, which become U+FFFD.
@@ -340,17 +345,18 @@ fn escape(text: &str) -> String {
 }
 
 /// An id of letters, digits and hyphens made from a name, different from those given out before.
-fn fresh_id(name: &str, used: &mut BTreeSet<String>) -> String {
+fn fresh_id(name: &str, used: &mut Vec<String>) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
     let base = format!("layer-{}", name.chars().take(64).map(plain).collect::<String>());
     let mut id = base.clone();
     let mut count = 1;
-    while !used.insert(id.clone()) {
+    while used.contains(&id) {
         count += 1;
         id.truncate(base.len());
         // Writing to a string cannot fail.
         let _ = write!(id, "-{count}");
     }
+    used.push(id.clone());
     id
 }
 
@@ -386,7 +392,7 @@ mod tests {
 
     #[test]
     fn ids_are_plain_and_differ() {
-        let mut used = BTreeSet::new();
+        let mut used = Vec::new();
         assert_eq!(fresh_id("rulingLines", &mut used), "layer-rulingLines");
         assert_eq!(fresh_id("rulingLines", &mut used), "layer-rulingLines-2");
         assert_eq!(fresh_id("\"><script>", &mut used), "layer----script-");

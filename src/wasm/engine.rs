@@ -174,7 +174,8 @@ fn describe(solution: &Solution) -> String {
     match &solution.outcome {
         document::Outcome::Matched { matching, .. } => {
             let totals = &matching.totals;
-            let eta = totals.eta.map_or_else(String::new, |eta| format!(", eta {eta:.3}"));
+            let eta =
+                totals.eta.map_or_else(String::new, |eta| format!(", eta {}", (eta * 1e3).round() / 1e3));
             format!(
                 "{} ruling lines between two curves, {} crossings, {} blocked{eta}",
                 totals.count, totals.crossings, totals.blocked

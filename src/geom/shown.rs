@@ -1,0 +1,49 @@
+//! Numbers in messages.
+
+use glam::DVec2;
+use std::fmt;
+
+/// A number shown with six significant figures at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown(pub f64);
+
+/// A place shown as `(x, y)`, each with six significant figures at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShownPlace(pub DVec2);
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let decimals = 5 - self.0.abs().log10().floor() as i32;
+        let scale = 10.0_f64.powi(decimals.abs());
+        let rounded =
+            if decimals < 0 { (self.0 / scale).round() * scale } else { (self.0 * scale).round() / scale };
+        // Zero, and numbers whose scale overflows, need no rounding.
+        write!(f, "{}", if rounded.is_finite() && rounded != 0.0 { rounded } else { self.0 })
+    }
+}
+
+impl fmt::Display for ShownPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "({}, {})", Shown(self.0.x), Shown(self.0.y))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_six_figures_at_any_size() {
+        for (number, text) in [
+            (0.0, "0"),
+            (12.0, "12"),
+            (-12.345_678_9, "-12.3457"),
+            (0.000_123_456_789, "0.000123457"),
+            (123_456_789.0, "123457000"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(Shown(number).to_string(), text);
+        }
+        assert_eq!(ShownPlace(DVec2::new(1.0, 0.5)).to_string(), "(1, 0.5)");
+    }
+}
