@@ -176,8 +176,8 @@ impl<'a> Writer<'a> {
         if patches.is_empty() || hidden {
             return;
         }
-        // Equal ids then mean equal clips and, with the ids of the gradients, equal shades nearly always.
-        let name = format!("{:016x}", hash(&format!("{clip}{}", self.out.len())));
+        // Equal ids then mean equal clips and equal shades, so pictures in one page cannot disturb each other.
+        let name = format!("{:016x}", hash(&format!("{clip}{}{patches:?}", self.unit)));
         let mut reference = String::new();
         if !clip.is_empty() {
             self.add(&format!(
