@@ -13,11 +13,14 @@ pub struct ShownPlace(pub DVec2);
 
 impl fmt::Display for Shown {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 == 0.0 || !self.0.is_finite() {
+            return write!(f, "{}", self.0);
+        }
         let decimals = 5 - self.0.abs().log10().floor() as i32;
         let scale = 10.0_f64.powi(decimals.abs());
         let rounded =
             if decimals < 0 { (self.0 / scale).round() * scale } else { (self.0 * scale).round() / scale };
-        // Zero, and numbers whose scale overflows, need no rounding.
+        // The scale of the smallest numbers overflows.
         write!(f, "{}", if rounded.is_finite() && rounded != 0.0 { rounded } else { self.0 })
     }
 }
@@ -41,6 +44,7 @@ mod tests {
             (0.000_123_456_789, "0.000123457"),
             (123_456_789.0, "123457000"),
             (f64::INFINITY, "inf"),
+            (1.5e-320, &1.5e-320.to_string()),
         ] {
             assert_eq!(Shown(number).to_string(), text);
         }

@@ -177,7 +177,7 @@ impl<'a> Writer<'a> {
             return;
         }
         // Equal ids then mean equal clips and equal shades, so pictures in one page cannot disturb each other.
-        let name = format!("{:016x}", hash(&format!("{clip}{}{patches:?}", self.unit)));
+        let name = format!("{:016x}", fingerprint(&clip, &patches));
         let mut reference = String::new();
         if !clip.is_empty() {
             self.add(&format!(
@@ -360,9 +360,21 @@ fn fresh_id(name: &str, used: &mut Vec<String>) -> String {
     id
 }
 
-/// The hash FNV-1a of a text.
-fn hash(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3))
+/// The hash FNV-1a of a clip and the patches inside it.
+fn fingerprint(clip: &str, patches: &[Patch]) -> u64 {
+    let bits = |p: DVec2| [p.x.to_bits(), p.y.to_bits()];
+    let bytes = |c: &Color| [c.r, c.g, c.b].map(u64::from);
+    let shade = |shade: &Shade| match shade {
+        Shade::Flat(color) => bytes(color).to_vec(),
+        Shade::Linear { from, to, stops } => {
+            stops.iter().flat_map(bytes).chain(bits(*from)).chain(bits(*to)).collect()
+        }
+    };
+    let of_patch = |patch: &Patch| {
+        patch.ring.iter().copied().flat_map(bits).chain(shade(&patch.shade)).collect::<Vec<_>>()
+    };
+    let words = clip.bytes().map(u64::from).chain(patches.iter().flat_map(of_patch));
+    words.fold(0xcbf2_9ce4_8422_2325, |h, word| (h ^ word).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 #[cfg(test)]
