@@ -191,9 +191,9 @@ fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diag
     remarks
 }
 
-/// Rulings of the band from one line to the next: enough for smooth curves and colours, some hundreds in all.
+/// Rulings of the band from one line to the next: enough for smooth curves and colours, some two hundred in all.
 fn rulings_per_line(matching: &Matching) -> usize {
-    const IN_ALL: usize = 400;
+    const IN_ALL: usize = 176;
     IN_ALL.div_ceil(matching.lines.len().max(1)).clamp(2, 32)
 }
 

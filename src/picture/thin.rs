@@ -118,6 +118,9 @@ impl Profile {
         let t = self.along.dot(place);
         let beyond = if t < 0.0 { t } else { (t - self.length).max(0.0) };
         let across = self.along.perp_dot(place).abs();
+        if beyond == 0.0 && across >= self.half_width + self.pixel.outer {
+            return 0;
+        }
         let (distance, pixel) = if beyond == 0.0 {
             (across, self.pixel)
         } else {
