@@ -154,22 +154,21 @@ impl Drawing<'_> {
     }
 
     fn samples(&mut self) {
-        for samples in self.solution.model.samples() {
-            if self.shows(LayerName::Normals) {
-                let length = NORMAL_LENGTH * self.unit;
-                let ends = samples.points.iter().zip(&samples.normals);
-                let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
-                self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
-            }
-            if self.shows(LayerName::Samples) && !self.is_small {
-                let dots = Item::Dots {
-                    centers: samples.points.clone(),
-                    radius_px: self.theme.sample_radius,
-                    color: self.theme.sample,
-                    opacity: 1.0,
-                };
-                self.list.push("samples", dots);
-            }
+        let samples = self.solution.model.samples();
+        if self.shows(LayerName::Normals) {
+            let length = NORMAL_LENGTH * self.unit;
+            let ends = samples.iter().flat_map(|samples| samples.points.iter().zip(&samples.normals));
+            let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
+            self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
+        }
+        if self.shows(LayerName::Samples) && !self.is_small {
+            let dots = Item::Dots {
+                centers: samples.iter().flat_map(|samples| &samples.points).copied().collect(),
+                radius_px: self.theme.sample_radius,
+                color: self.theme.sample,
+                opacity: 1.0,
+            };
+            self.list.push("samples", dots);
         }
     }
 

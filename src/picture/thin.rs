@@ -116,7 +116,13 @@ impl Profile {
     /// both ways; at the ends the round border is taken as straight over a pixel.
     fn coverage(&self, place: Vec2) -> u8 {
         let t = self.along.dot(place);
-        let beyond = if t < 0.0 { t } else { (t - self.length).max(0.0) };
+        let beyond = if t < 0.0 {
+            t
+        } else if t > self.length {
+            t - self.length
+        } else {
+            0.0
+        };
         let across = self.along.perp_dot(place).abs();
         if beyond == 0.0 && across >= self.half_width + self.pixel.outer {
             return 0;
