@@ -1,5 +1,7 @@
 //! Documents from end to end: the presets, every refusal of a shape, what a solution carries, and random input.
 
+#[path = "support/golden.rs"]
+mod golden;
 mod support;
 
 use directrix::document::Json;
@@ -55,19 +57,27 @@ fn codes(solution: &Solution) -> Vec<&'static str> {
     solution.diagnostics.iter().map(Diagnostic::code).collect()
 }
 
-#[test]
-fn presets_are_matched_completely() {
+/// The presets with their ids, in the order of the gallery.
+fn presets() -> Vec<(String, Value, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/presets");
     let index = std::fs::read_to_string(folder.join("index.json")).expect("the list of presets");
     let index: Value = serde_json::from_str(&index).expect("JSON");
-    let presets = index.as_array().expect("a list");
-    assert!(presets.len() >= 4);
-    for preset in presets {
-        let id = preset["id"].as_str().expect("an id");
+    let preset = |entry: &Value| {
+        let id = entry["id"].as_str().expect("an id").to_owned();
         let text = std::fs::read_to_string(folder.join(format!("{id}.json"))).expect("the preset");
+        (id, entry["title"].clone(), text)
+    };
+    index.as_array().expect("a list").iter().map(preset).collect()
+}
+
+#[test]
+fn presets_are_matched_completely() {
+    let presets = presets();
+    assert!(presets.len() >= 4);
+    for (id, title, text) in presets {
         let document = read_text(&text).expect("a valid document");
         assert!(text.contains("\"method\": \"greedy\"") && text.contains("\"oneToOne\": false"), "{id}");
-        assert_eq!(Some(document.title.as_str()), preset["title"].as_str());
+        assert_eq!(title, json!(document.title));
         let solution = Solve::run(document).expect("valid curves");
         let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("{id} is not matched") };
         assert!(
@@ -80,6 +90,19 @@ fn presets_are_matched_completely() {
             "{id}: {:?}",
             matching.totals
         );
+    }
+}
+
+#[test]
+fn golden_presets() {
+    let options = r#"{"width": 440, "height": 330, "theme": "light"}"#;
+    let options = PictureOptions::read(&Json::parse(options).expect("JSON")).expect("valid options");
+    for (id, _, text) in presets() {
+        let solution = Solve::run(read_text(&text).expect("a valid document")).expect("valid curves");
+        let viewport = options.viewport(&solution.model);
+        let data = paint(&figure(&solution, &options.figure(&solution.model), &viewport), &viewport);
+        let picture = golden::Picture { width: 440, height: 330, data: data.expect("a picture") };
+        golden::check(&format!("preset-{id}"), &picture, golden::SAME_CODE);
     }
 }
 
