@@ -106,6 +106,28 @@ fn golden_presets() {
     }
 }
 
+/// In-between curves are white on the band; with the material hidden they were white on the white canvas, and ruling lines
+/// were black on the black one.
+#[test]
+fn lines_inside_the_band_show_without_its_colours() {
+    let solution = matched(&rings()).expect("valid");
+    let painted = |theme: &str, layers: &str| {
+        let options = format!(r#"{{"width": 200, "height": 150, "theme": "{theme}", "layers": [{layers}]}}"#);
+        let options = PictureOptions::read(&Json::parse(&options).expect("JSON")).expect("valid options");
+        let viewport = options.viewport(&solution.model);
+        paint(&figure(&solution, &options.figure(&solution.model), &viewport), &viewport).expect("a picture")
+    };
+    for theme in ["light", "dark"] {
+        let bare = painted(theme, "");
+        for layer in ["\"inBetweens\"", "\"rulingLines\""] {
+            let lines = painted(theme, layer);
+            let strong = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 40;
+            let changed = bare.iter().zip(&lines).filter(|pair| strong(*pair)).count();
+            assert!(changed > 2000, "{theme}, {layer}: {changed} levels changed");
+        }
+    }
+}
+
 #[test]
 fn concentric_circles_and_offset_curves_have_eta_one() {
     let solution = matched(&rings()).expect("valid");

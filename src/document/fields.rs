@@ -32,13 +32,14 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
         Some(node) => node.text(most),
         None => Ok(default.to_owned()),
     };
+    let materials = materials(node)?;
     Ok(CurvesDocument {
         directrix: 1,
         kind: Kind::Curves,
         title: text("title", 200, "Untitled")?,
         unit: text("unit", 16, "mm")?,
-        materials: materials(node)?,
-        curves: curves(&node.need("curves")?)?,
+        curves: curves(&node.need("curves")?, materials.len())?,
+        materials,
         sampling: node.get("sampling")?.map_or_else(|| Ok(Sampling::default()), |n| sampling(&n))?,
         matching: matching(&node.need("matching")?)?,
         blend: node.get("blend")?.map_or_else(|| Ok(Blend::default()), |n| blend(&n))?,
@@ -62,20 +63,26 @@ fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
     Ok(materials)
 }
 
-fn curves(list: &Node<'_>) -> Read<Vec<CurveSpec>> {
+fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     let items = list.items()?;
     if let Some(third) = items.get(2) {
         return Err(third.not_yet("stacks of more than two curves"));
     }
     list.check_count(items.len(), " curves", 2..=2)?;
     let mut curves = Vec::with_capacity(items.len());
-    for item in &items {
-        curves.push(curve(item)?);
+    for (number, item) in items.iter().enumerate() {
+        curves.push(curve(item, &pure(number.min(materials - 1), materials))?);
     }
     Ok(curves)
 }
 
-fn curve(node: &Node<'_>) -> Read<CurveSpec> {
+/// The composition of one material alone, all along a curve.
+fn pure(material: usize, materials: usize) -> Vec<CompositionKey> {
+    let mix = (0..materials).map(|k| if k == material { 1.0 } else { 0.0 }).collect();
+    vec![CompositionKey { at: 0.0, mix }]
+}
+
+fn curve(node: &Node<'_>, own: &[CompositionKey]) -> Read<CurveSpec> {
     node.only(&["name", "degree", "form", "points", "knots", "height", "composition"])?;
     let form = node.need("form")?;
     let form = match form.choice(&["periodic", "clamped", "open"])? {
@@ -94,7 +101,7 @@ fn curve(node: &Node<'_>) -> Read<CurveSpec> {
         points,
         knots: node.get("knots")?.map(|n| numbers(&n)).transpose()?,
         height: node.get("height")?.map_or(Ok(0.0), |n| n.within(-LARGEST..=LARGEST))?,
-        composition: node.get("composition")?.map(|n| composition(&n)).transpose()?,
+        composition: node.get("composition")?.map_or_else(|| Ok(own.to_vec()), |n| composition(&n))?,
     })
 }
 

@@ -147,14 +147,11 @@ fn materials(document: &CurvesDocument) -> Result<Vec<Material>, DocumentError> 
     document.materials.iter().enumerate().map(build).collect()
 }
 
-/// Composition along a curve as drawn; left out, it is the material of the curve's own number, or the last one.
+/// Composition along a curve as drawn.
 fn profile(document: &CurvesDocument, curve: usize) -> Result<Profile, DocumentError> {
     let count = document.materials.len();
-    let Some(keys) = &document.curves[curve].composition else {
-        return Ok(Profile::constant(Composition::pure(curve.min(count - 1), count)));
-    };
     let path = |rest: &str| format!("curves[{curve}].composition{rest}");
-    let compositions = keys.iter().enumerate().map(|(k, key)| {
+    let compositions = document.curves[curve].composition.iter().enumerate().map(|(k, key)| {
         if key.mix.len() != count {
             let message =
                 format!("{} fractions were found; expected {count}, one for each material", key.mix.len());

@@ -69,9 +69,8 @@ pub struct CurveSpec {
     pub knots: Option<Vec<f64>>,
     /// Height of the plane of the curve.
     pub height: f64,
-    /// Composition along the curve; all of the curve's own material when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub composition: Option<Vec<CompositionKey>>,
+    /// Composition along the curve.
+    pub composition: Vec<CompositionKey>,
 }
 
 /// How a B-spline closes.

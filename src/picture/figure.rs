@@ -42,6 +42,8 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         options,
         theme,
         is_small,
+        on_band: solution.band().is_some()
+            && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
         outlines: outlines(solution, CHORD_ERROR / viewport.scale),
         list: DisplayList::new(options.background.then_some(theme.canvas)),
@@ -80,6 +82,8 @@ struct Drawing<'a> {
     options: &'a FigureOptions,
     theme: Theme,
     is_small: bool,
+    /// Whether lines inside the band lie on its colours, and not on the canvas.
+    on_band: bool,
     /// Document units in one CSS pixel.
     unit: f64,
     outlines: Path,
@@ -93,6 +97,15 @@ impl Drawing<'_> {
 
     fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
         self.list.push(layer, Item::Stroke { path, style });
+    }
+
+    /// The style of a line inside the band: on the bare canvas it takes the colour of the curves, which shows there.
+    fn inside(&self, style: StrokeStyle) -> StrokeStyle {
+        if self.on_band {
+            style
+        } else {
+            StrokeStyle { color: self.theme.boundary.color, opacity: 0.5, ..style }
+        }
     }
 
     fn cased(&mut self, layer: &str, path: Path, style: Cased) {
@@ -123,7 +136,7 @@ impl Drawing<'_> {
         if self.shows(LayerName::InBetweens) {
             let stages = self.solution.model.document().blend.stages;
             let rings = (1..stages).map(|j| band.in_between(j as f64 / stages as f64)).collect();
-            self.stroke("in-betweens", Path { rings, closed: true }, self.theme.in_between);
+            self.stroke("in-betweens", Path { rings, closed: true }, self.inside(self.theme.in_between));
         }
     }
 
@@ -142,7 +155,7 @@ impl Drawing<'_> {
             }
         } else if self.shows(LayerName::RulingLines) {
             let path = Path { rings: segments.clone(), closed: false };
-            self.stroke("ruling-lines", path, self.theme.ruling_line);
+            self.stroke("ruling-lines", path, self.inside(self.theme.ruling_line));
         }
         if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
             self.cased("line", Path::open(segment.clone()), self.theme.probe);

@@ -97,6 +97,8 @@ test("defaults are spelt out and stay the same when read again", () => {
   const full = dx.defaults(/** @type {any} */ ({ ...bare, materials: amoeba.materials }));
   assert.deepEqual(full.sampling, { scheme: "arc-length", counts: [44, 44] });
   assert.equal(full.matching.oneToOne, false);
+  const plain = dx.defaults({ ...full, curves: full.curves.map(({ composition, ...curve }) => curve) });
+  assert.deepEqual(plain.curves.map((curve) => curve.composition), [[{ at: 0, mix: [1, 0, 0] }], [{ at: 0, mix: [0, 1, 0] }]]);
   assert.deepEqual(dx.defaults(full), full);
   assert.deepEqual(dx.defaults(JSON.stringify(full)), full, "text does as well");
 });

@@ -58,7 +58,7 @@ export const LAYERS = /** @type {const} */ ([
 ]);
 
 /** @type {readonly LayerName[]} */
-export const FIRST_LAYERS = ["material", "rulingLines", "inBetweens", "samples", "controlPoints", "grid"];
+export const FIRST_LAYERS = ["material", "rulingLines", "inBetweens", "samples", "unconnected", "controlPoints", "grid"];
 
 /** @type {Readonly<Results>} */
 export const NO_RESULTS = {
