@@ -63,6 +63,35 @@ test("a reload loses nothing", async (t) => {
   assert.equal(await page.locator("[data-state]").textContent(), "Edited");
 });
 
+/** A document that left out its compositions was opened in part: the panel of the materials stopped at them. */
+test("a document of the required fields alone opens with all defaults, a clamped curve too", async (t) => {
+  const page = await openPage(t);
+  const ring = [[40, 0], [20, 35], [-20, 35], [-40, 0], [-20, -35], [20, -35]];
+  const bare = {
+    directrix: 1,
+    kind: "curves",
+    matching: { method: "greedy" },
+    curves: [
+      { degree: 2, form: "clamped", points: [[10, 0], [10, 10], [-10, 10], [-10, -10], [10, -10], [10, 0]] },
+      { degree: 3, form: "periodic", points: ring },
+    ],
+  };
+  const buffer = Buffer.from(JSON.stringify(bare));
+  await page.locator("[data-file]").setInputFiles({ name: "bare.json", mimeType: "application/json", buffer });
+  const document = await eventually(async () => {
+    const found = await documentOf(page);
+    assert.equal(found.title, "Untitled");
+    return found;
+  });
+  await page.waitForSelector("#status[data-verdict=verified]");
+  assert.deepEqual(document.curves.map((curve) => curve.composition), [[{ at: 0, mix: [1, 0] }], [{ at: 0, mix: [0, 1] }]]);
+  await handle(page, "A1").focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  const { points } = (await documentOf(page)).curves[0];
+  assert.deepEqual(points.at(-1), points[0], "the seam of a clamped curve moves as one");
+  assert.notDeepEqual(points[0], [10, 0]);
+});
+
 test("leaving and coming back keeps the work", async (t) => {
   const page = await openPage(t);
   await handle(page, "B5").focus();
