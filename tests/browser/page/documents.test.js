@@ -84,7 +84,7 @@ test("a document of the required fields alone opens with all defaults, a clamped
     return found;
   });
   await page.waitForSelector("#status[data-verdict=verified]");
-  assert.deepEqual(document.curves.map((curve) => curve.composition), [[{ at: 0, mix: [1, 0] }], [{ at: 0, mix: [0, 1] }]]);
+  assert.deepEqual(document.curves.map((/** @type {{ composition: unknown }} */ curve) => curve.composition), [[{ at: 0, mix: [1, 0] }], [{ at: 0, mix: [0, 1] }]]);
   await handle(page, "A1").focus();
   await page.keyboard.press("Shift+ArrowRight");
   const { points } = (await documentOf(page)).curves[0];
