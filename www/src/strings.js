@@ -220,6 +220,10 @@ export const strings = {
     whole: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a whole number from ${low} to ${high}`,
   },
 
+  panel: {
+    close: "Close",
+  },
+
   sheet: {
     resize: "Resize the panel",
     tabs: "Groups",
