@@ -145,7 +145,7 @@ function run(app) {
   ];
   listenToPointer(app, handles, probe);
   listenToKeys(app, handles);
-  listenToShortcuts(app, morph.toggle);
+  listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
   listenToDrop(app);
   followSystem(app);
   keep(app);
