@@ -51,7 +51,8 @@ export function openPanel({ name, heading, body, wide = false, onclose }) {
   };
   cross.addEventListener("click", close);
   element.addEventListener("keydown", (event) => {
-    event.stopPropagation();
+    // Keys of the figure are none here; those of the whole page, with Ctrl, are.
+    if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
     if (event.key === "Escape") close();
   });
   find("#stage").append(element);
