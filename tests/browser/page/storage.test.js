@@ -218,8 +218,13 @@ test("a reload goes on with the same document", async (t) => {
 test("a reload in the moment after an edit loses nothing and makes no copy", async (t) => {
   const page = await openPage(t);
   for (let i = 0; i < 3; i += 1) {
+    const before = await coordinates(page, "B2");
     await nudge(page);
-    const place = await coordinates(page, "B2");
+    const place = await eventually(async () => {
+      const now = await coordinates(page, "B2");
+      assert.notDeepEqual(now, before);
+      return now;
+    });
     await page.reload();
     await ready(page);
     assert.deepEqual(await coordinates(page, "B2"), place);
