@@ -7,6 +7,7 @@
 import { completed, imageData } from "./kernel.js";
 import { devicePixels, problem } from "./painter.js";
 import { FIRST_LAYERS, LAYERS } from "./state/app.js";
+import { only, within } from "./state/selection.js";
 import { strings } from "./strings.js";
 
 /** Pixels of an exported picture for one of the screen. */
@@ -40,7 +41,7 @@ export async function openDocument(app, raw, name) {
     const { size } = app.ui.value;
     app.ui.set({
       ...ui,
-      selection: { curve: 1, point: 0 },
+      selection: within(only(1, 0), document),
       probe: null,
       witness: null,
       note: null,
