@@ -6,7 +6,7 @@
  */
 import { connect } from "../../js/index.js";
 import { explain } from "./explain.js";
-import { splitView } from "./files.js";
+import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
