@@ -11,15 +11,17 @@
  * @property {string} name
  * @property {Topic} topic
  * @property {string | ((app: App) => string)} text
- * @property {string[]} [keys] such as `Mod+Z`, where `Mod` is Control, or Command on a Mac
+ * @property {string} [sheet] the name in the shortcut sheet, where that in a menu depends on the document
+ * @property {string[]} [keys] such as `Ctrl+Z`; on a machine of Apple's Ctrl stands for Command
  * @property {(app: App) => string | null} [why] what keeps it from being done now
  * @property {(app: App) => boolean} [on] for a command that switches something on and off
  * @property {(app: App) => unknown} [run] without it the keys belong to what has the focus
  */
+import { keyName } from "./frame/key-names.js";
 import { strings } from "./strings.js";
 import { fit, zoomBy } from "./stage/zoom.js";
 import { curveName } from "./state/app.js";
-import { canRemovePoints, handleCount } from "./state/edits.js";
+import { canRemovePoints } from "./state/edits.js";
 import { isWhole } from "./state/selection.js";
 
 const words = strings.commands;
@@ -71,8 +73,11 @@ function toggleSnap(app) {
 /** @type {readonly Command[]} */
 export const COMMANDS = [
   { name: "new", topic: "document", text: words.new, run: async (app) => (await import("./files/blank.js")).openBlank(app) },
-  { name: "undo", topic: "document", text: words.undo, keys: ["Mod+Z"], run: ({ store }) => store.undo() },
-  { name: "redo", topic: "document", text: words.redo, keys: ["Mod+Y", "Mod+Shift+Z"], run: ({ store }) => store.redo() },
+  { name: "open", topic: "document", text: strings.file.open, keys: ["Ctrl+O"] },
+  { name: "save", topic: "document", text: strings.file.save, keys: ["Ctrl+S"] },
+  { name: "save-copy", topic: "document", text: strings.file.saveCopy, keys: ["Ctrl+Shift+S"] },
+  { name: "undo", topic: "document", text: words.undo, keys: ["Ctrl+Z"], run: ({ store }) => store.undo() },
+  { name: "redo", topic: "document", text: words.redo, keys: ["Ctrl+Y", "Ctrl+Shift+Z"], run: ({ store }) => store.redo() },
   {
     name: "shortcuts",
     topic: "document",
@@ -103,6 +108,7 @@ export const COMMANDS = [
     name: "draw",
     topic: "draw",
     text: drawText,
+    sheet: words.draw,
     keys: ["D"],
     run: async (app) => (await import("./stage/draw.js")).startDrawing(app),
   },
@@ -116,7 +122,7 @@ export const COMMANDS = [
     name: "select-all",
     topic: "select",
     text: words.selectAll,
-    keys: ["Mod+A"],
+    keys: ["Ctrl+A"],
     why: needsCurve,
     run: async (app) => (await curveCommands()).selectAll(app),
   },
@@ -147,6 +153,7 @@ export const COMMANDS = [
   {
     name: "delete-points",
     topic: "points",
+    sheet: words.deletePoints(1),
     text: ({ ui }) => words.deletePoints(Math.max(1, ui.value.selection?.points.length ?? 1)),
     keys: ["Delete", "Backspace"],
     why: whyNotRemove,
@@ -163,7 +170,8 @@ export const COMMANDS = [
     name: "duplicate-curve",
     topic: "points",
     text: duplicateText,
-    keys: ["Mod+D"],
+    sheet: words.duplicateCurve,
+    keys: ["Ctrl+D"],
     why: needsCurve,
     run: async (app) => (await curveCommands()).duplicate(app),
   },
@@ -261,14 +269,21 @@ export function commandTitle(app, name) {
 }
 
 /**
+ * What keeps a command from being done, or null.
+ * @param {App} app
+ * @param {string} name
+ */
+export const commandReason = (app, name) => commandNamed(name).why?.(app) ?? null;
+
+/**
  * @param {App} app
  * @param {string} name
  * @returns {boolean} whether it could be done
  */
 export function runCommand(app, name) {
-  const { why, run } = commandNamed(name);
+  const { run } = commandNamed(name);
   if (!run) return false;
-  const reason = why?.(app);
+  const reason = commandReason(app, name);
   if (reason) {
     app.ui.set({ note: { tone: "plain", text: reason } });
     app.say(reason);
@@ -288,13 +303,12 @@ export function commandItems(app, names) {
   return names.map((name) => {
     if (name === "line") return "line";
     const { keys = [], why, on } = commandNamed(name);
-    const key = keys.find((each) => /^[\x20-\x7e]+$/.test(each) && !each.includes(" "));
     const reason = why?.(app) ?? null;
     return {
       name,
       text: commandText(app, name),
       act: () => void runCommand(app, name),
-      ...(key ? { key: shownKey(key) } : {}),
+      ...(keys[0] ? { keys: keys[0] } : {}),
       ...(reason ? { line: reason, disabled: true } : {}),
       ...(on ? { checked: on(app) } : {}),
     };
@@ -308,22 +322,10 @@ export function cornersOf(app, curve) {
   return match.diagnostics.filter((each) => each.code === "corner" && each.curve === curve).length;
 }
 
-/** Points of the selection, all of them for a whole curve. @param {App} app */
-export function chosenCount({ store, ui }) {
-  const { selection } = ui.value;
-  if (!selection) return 0;
-  return isWhole(selection) ? handleCount(store.document.curves[selection.curve]) : selection.points.length;
-}
-
-const isMac = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? "");
-
 /** A key as it is written on the keyboard. @param {string} key */
 export function shownKey(key) {
-  if (key === "-" || key === "+") return key === "-" ? "\u2212" : key;
-  return key
-    .split("+")
-    .map((part) => (part === "Mod" ? (isMac ? "\u2318" : "Ctrl") : (KEY_NAMES[part] ?? part)))
-    .join(isMac ? " " : "+");
+  if (key === "-") return "\u2212";
+  return keyName(key.replace(/(Arrow|Page)\w+|Escape/, (name) => KEY_NAMES[name] ?? name));
 }
 
 /** @type {{[key: string]: string}} */
@@ -346,6 +348,6 @@ export function commandOf(event) {
   const letter = event.key.length === 1;
   const key = event.key === " " ? "Space" : letter ? event.key.toUpperCase() : event.key;
   const shift = event.shiftKey && (!letter || /\p{L}/u.test(key));
-  const name = `${event.ctrlKey || event.metaKey ? "Mod+" : ""}${event.altKey ? "Alt+" : ""}${shift ? "Shift+" : ""}${key}`;
+  const name = `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${event.altKey ? "Alt+" : ""}${shift ? "Shift+" : ""}${key}`;
   return COMMANDS.find(({ keys, run }) => run && keys?.includes(name)) ?? null;
 }

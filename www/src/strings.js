@@ -175,13 +175,26 @@ export const strings = {
     workbenches: "Workbenches",
     title: "Document title",
     edited: "Edited",
+    saved: "Saved",
     gallery: "Gallery",
-    open: "Open",
+    file: "File",
     export: "Export",
     menu: "Menu",
     panel: "Settings",
     toDark: "Use the dark theme",
     toLight: "Use the light theme",
+  },
+
+  file: {
+    open: "Open or import…",
+    save: "Save",
+    saveCopy: "Save a copy…",
+    openKind: "Documents and drawings",
+    saveKind: "Directrix document",
+    chosen: "the file",
+    saved: (/** @type {string} */ file) => `Saved ${file}`,
+    copied: (/** @type {string} */ file) => `Saved a copy as ${file}`,
+    notAllowed: "the page may not write to it",
   },
 
   exports: {
@@ -262,6 +275,8 @@ export const strings = {
     deleted: (/** @type {string} */ curve) => `Deleted ${inSentence(curve)}`,
     selected: (/** @type {number} */ count) => `${plural(count, "point", "points")} selected`,
     noneInBox: "No point in the box",
+    addPoint: "Add to the selection",
+    dropPoint: "Take out of the selection",
   },
 
   sampling: {
@@ -312,6 +327,7 @@ export const strings = {
 
   layers: {
     heading: "Layers",
+    snap: "Snapping",
     phrase: (/** @type {number} */ shown, /** @type {number} */ all) => `${shown} of ${all}`,
     names: {
       material: "Material",
@@ -400,6 +416,8 @@ export const strings = {
       `Could not open ${file}: ${reason}. The open document is unchanged.`,
     notJson: "it is not JSON",
     export: (/** @type {string} */ reason) => `Could not export: ${reason}.`,
+    save: (/** @type {string} */ file, /** @type {string} */ reason) =>
+      `Could not save ${file}: ${reason}. Save a copy elsewhere.`,
   },
 
   field: {
