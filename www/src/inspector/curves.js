@@ -213,8 +213,9 @@ export function curvesGroup(app) {
       if (!shape) return;
       const [px, py] = middleOf(document, chosen);
       write(placeLabel, placeName(chosen));
-      x.set(px);
-      y.set(py);
+      const decimals = points.length === 1 ? 12 : meanDecimals(arrowStep(document));
+      x.set(Number(px.toFixed(decimals)));
+      y.set(Number(py.toFixed(decimals)));
       alignRow.hidden = spreadRow.hidden = points.length < 2;
       turnRow.hidden = points.length === 1;
       turn.show();
@@ -228,6 +229,9 @@ export function curvesGroup(app) {
     },
   };
 }
+
+/** Decimals of a mean, which has any number of its own. @param {number} step of an arrow key */
+const meanDecimals = (step) => Math.min(12, Math.max(2, 1 - Math.floor(Math.log10(step))));
 
 /** @param {Selection} selection */
 function placeName({ curve, points }) {

@@ -162,7 +162,7 @@ export async function smooth(app) {
       through: false,
     });
     if (app.store.document !== before) return;
-    const shape = /** @type {import("../state/through.js").Shape} */ (fitted.curve);
+    const shape = /** @type {import("../types.js").Shape} */ (fitted.curve);
     const said = words.smoothed(curveName(before, curve), shape.points.length);
     commit(app, (document) => putShape(document, curve, shape), whole(curve), said);
   } catch (error) {

@@ -3,8 +3,7 @@
  * zoom and pan meanwhile.
  *
  * @import { App, Stroke, Tool } from "../state/app.js"
- * @import { Point } from "../types.js"
- * @import { Shape } from "../state/through.js"
+ * @import { Point, Shape } from "../types.js"
  */
 import { segment } from "../controls/choices.js";
 import { attribute, find, h, svg, write } from "../dom.js";
@@ -17,7 +16,7 @@ import { handleCount } from "../state/edits.js";
 import { whole } from "../state/selection.js";
 import { curveThrough } from "../state/through.js";
 import { strings } from "../strings.js";
-import { gridStep, panned, toPlane, toScreen } from "../view.js";
+import { aimed, gridStep, panned, toPlane, toScreen } from "../view.js";
 import { rested } from "./snap.js";
 
 /** Fewest points of a closed curve. */
@@ -29,8 +28,10 @@ const SPACING = 3;
 const SHORTEST = 80;
 const SMALLEST = 16;
 const TOLERANCE = 2.5;
-/** Pixels of an arrow key, and the factors of Shift and Alt. */
+/** Pixels of an arrow key. */
 const STEP = 10;
+/** Chords of one knot span of the preview, whose spans may be long. */
+const CHORDS = 32;
 
 const words = strings.draw;
 
@@ -124,10 +125,11 @@ function createDraw(app) {
   /** @param {KeyboardEvent} event */
   function key(event) {
     const target = event.target instanceof Element ? event.target : null;
-    if (event.ctrlKey || event.metaKey || target?.closest("input[type=text], select, [data-panel], [role=menu]")) return;
+    const undoes = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && points.length > 0;
+    if ((!undoes && (event.ctrlKey || event.metaKey)) || target?.closest("input[type=text], select, [data-panel], [role=menu]")) return;
     const own = !target || target === document.body || target === keyboard;
     if (event.key === "Escape") giveUp();
-    else if (event.key === "Backspace" || event.key === "Delete") takeBack();
+    else if (undoes || event.key === "Backspace" || event.key === "Delete") takeBack();
     else if (!own) return;
     else if (event.key === "Enter") void done();
     else if (event.key === " " && mode === "points") setPoint(crosshair());
@@ -203,7 +205,10 @@ function createDraw(app) {
 
   /** @param {Shape} shape */
   function put(shape) {
-    app.store.commit({ change: (document) => putShape(document, index, shape) });
+    const { view } = app.ui.value;
+    // Digits that nobody could aim at would only be in the way of editing.
+    const points = view ? shape.points.map(([x, y]) => /** @type {Point} */ ([aimed(x, view), aimed(y, view)])) : shape.points;
+    app.store.commit({ change: (document) => putShape(document, index, { ...shape, points }) });
     close();
     app.ui.set({ selection: whole(index), fitted: false });
     const { document } = app.store;
@@ -270,7 +275,7 @@ function createDraw(app) {
     const path = (/** @type {readonly Point[]} */ chain) =>
       chain.length < 2 ? "" : `M${chain.map((at) => toScreen(view, size, at).map((v) => v.toFixed(1)).join(" ")).join("L")}`;
     const shape = freehand ? null : curveThrough(through);
-    const chain = shape ? outline({ ...shape, height: 0, composition: [] }).map(({ at }) => at) : freehand ? line : through;
+    const chain = shape ? outline(shape, CHORDS).map(({ at }) => at) : freehand ? line : through;
     attribute(preview, "d", path(chain));
     attribute(closing, "d", freehand && line.length > 1 ? path([line[line.length - 1], line[0]]) : "");
     dots.replaceChildren(

@@ -3,7 +3,7 @@
  *
  * @import { App } from "../state/app.js"
  */
-import { commandText, runCommand } from "../commands.js";
+import { runCommand } from "../commands.js";
 import { find, h } from "../dom.js";
 import { strings } from "../strings.js";
 
@@ -24,7 +24,7 @@ export function createEmpty(app, { gallery, choose }) {
     h(
       "div",
       { class: "empty-commands" },
-      button("draw", commandText(app, "draw"), () => void runCommand(app, "draw")),
+      button("draw", strings.commands.draw, () => void runCommand(app, "draw")),
       presets,
       button("import", words.import, choose),
     ),

@@ -1,8 +1,7 @@
 /**
  * Edits of whole curves and of several control points, as pure functions from one document to the next.
  *
- * @import { CompositionKey, Curve, CurvesDocument, Point } from "../types.js"
- * @import { Shape } from "./through.js"
+ * @import { CompositionKey, Curve, CurvesDocument, Point, Shape } from "../types.js"
  */
 import { unrolled } from "../spline.js";
 import { changeCurve, handleCount, placePoints, tidy } from "./edits.js";

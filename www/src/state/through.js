@@ -2,13 +2,7 @@
  * The closed curve through given points: a periodic cubic B-spline with continuous curvature whose knots follow the
  * square roots of the distances (centripetal), which keeps it from looping between points that lie unevenly.
  *
- * @import { Point } from "../types.js"
- *
- * @typedef {object} Shape A curve without what it is made of.
- * @property {number} degree
- * @property {"periodic" | "clamped"} form
- * @property {Point[]} points
- * @property {number[]} [knots]
+ * @import { Point, Shape } from "../types.js"
  */
 
 /** Fewest points a closed cubic curve is laid through; three get the points of their circle between them. */
