@@ -210,7 +210,8 @@ function createDraw(app) {
     const points = view ? shape.points.map(([x, y]) => /** @type {Point} */ ([aimed(x, view), aimed(y, view)])) : shape.points;
     app.store.commit({ change: (document) => putShape(document, index, { ...shape, points }) });
     close();
-    app.ui.set({ selection: whole(index), fitted: false });
+    // On a phone the canvas shrinks again when the drawing is over, and the figure with it.
+    app.ui.set({ selection: whole(index), fitted: matchMedia("(width < 600px)").matches });
     const { document } = app.store;
     app.say(words.done(curveName(document, index), handleCount(document.curves[index])));
   }
