@@ -51,7 +51,17 @@ export interface CurvesDocument {
   materials?: Material[];
   /** Two; fewer while they are being drawn. */
   curves: Curve[];
-  sampling?: { scheme?: "parameter" | "arc-length" | "adaptive"; counts?: [number, number] };
+  sampling?: {
+    scheme?: "parameter" | "arc-length" | "adaptive";
+    /** Samples of each curve; adaptive samples ignore it. */
+    counts?: [number, number];
+    /** Of adaptive samples: greatest distance of a curve from the chords. */
+    tolerance?: number;
+    /** Of adaptive samples: degrees. */
+    maxTurn?: number;
+    /** Of adaptive samples: fewest of each curve. */
+    minCount?: number;
+  };
   matching: {
     method: "exact" | "greedy" | "one-per-vertex" | "shift" | "parameter";
     normalWeight?: number;
@@ -72,7 +82,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];

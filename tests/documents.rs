@@ -280,6 +280,30 @@ fn geometry_that_cannot_be_matched_is_explained() {
 }
 
 #[test]
+fn adaptive_samples_are_as_many_as_the_shape_needs() {
+    let count = |sampling: Value| {
+        let mut document = rings();
+        document["sampling"] = sampling;
+        let solution = matched(&document).expect("valid");
+        let limits = codes(&solution).iter().filter(|&&code| code == "sample-limit").count();
+        assert!(solution.is_complete(), "{:?}", solution.diagnostics);
+        let counts: Vec<usize> = solution.model.samples().iter().map(|s| s.points.len()).collect();
+        (counts, limits)
+    };
+    // The turn decides on round curves: 360 / 24 is 15 degrees, give or take the waves of the spline.
+    assert_eq!(count(json!({"scheme": "adaptive", "maxTurn": 16, "tolerance": 1})), (vec![24, 24], 0));
+    assert_eq!(
+        count(json!({"scheme": "adaptive", "maxTurn": 90, "tolerance": 9, "minCount": 20})),
+        (vec![20, 20], 0)
+    );
+    // Chords of 30 degrees lie 1.02 inside the larger ring and a third of that inside the smaller one.
+    assert_eq!(count(json!({"scheme": "adaptive", "maxTurn": 90, "tolerance": 0.5})), (vec![12, 24], 0));
+    assert_eq!(count(json!({"scheme": "adaptive", "tolerance": 1e-9})), (vec![1000, 1000], 2));
+    let counts = json!({"scheme": "adaptive", "maxTurn": 16, "tolerance": 1, "counts": [5, 900]});
+    assert_eq!(count(counts), (vec![24, 24], 0), "counts are those of the other schemes");
+}
+
+#[test]
 fn drawings_in_progress_are_shown_and_say_what_is_missing() {
     let whole = rings();
     for count in 0..2 {
@@ -420,7 +444,8 @@ fn mutate(document: &mut Value, pick: usize, value: Value) {
 #[test]
 fn mutated_documents_never_panic() {
     let mut full: Value = rings();
-    full["sampling"] = json!({"scheme": "parameter", "counts": [9, 11]});
+    full["sampling"] =
+        json!({"scheme": "adaptive", "counts": [9, 11], "tolerance": 1, "maxTurn": 40, "minCount": 9});
     full["blend"] = json!({"kind": "ruled", "stages": 3});
     full["view"] =
         json!({"s": 0.5, "center": [0, 0], "span": 90, "layers": ["grid", "normals", "value", "unitCells"]});

@@ -190,6 +190,7 @@ impl From<&Diagnostic> for DiagnosticResult {
                 result.vertices = Some(vertices.clone());
             }
             Diagnostic::Incomplete { .. } | Diagnostic::Disjoint => {}
+            Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
             Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
             Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
         }
