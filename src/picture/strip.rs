@@ -23,6 +23,7 @@ const OVERLAP: usize = 4;
 pub(super) struct Strip {
     width: usize,
     rows: Range<usize>,
+    is_opaque: bool,
     data: Vec<u8>,
     lines: Lines,
 }
@@ -32,7 +33,7 @@ impl Strip {
     pub(super) fn new(width: usize, rows: Range<usize>, background: Option<Color>) -> Self {
         let pixel = background.map_or([0; 4], |Color { r, g, b }| [r, g, b, 255]);
         let data = pixel.repeat(width * rows.len());
-        Self { width, lines: Lines::new(width, rows.clone()), rows, data }
+        Self { width, lines: Lines::new(width, rows.clone()), rows, is_opaque: background.is_some(), data }
     }
 
     /// Paints what a shape shows in these rows.
@@ -49,7 +50,9 @@ impl Strip {
 
     /// The pixels, straight (not premultiplied).
     pub(super) fn finish(mut self) -> Vec<u8> {
-        straighten(&mut self.data);
+        if !self.is_opaque {
+            straighten(&mut self.data);
+        }
         self.data
     }
 
