@@ -215,10 +215,19 @@ export interface Picture {
   view: View;
 }
 
-/** The solution of a document in steps, for hosts that must stay responsive. */
+/** How far a job has come. */
+export interface Progress {
+  /** The share done, 0 to 1. */
+  progress: number;
+  done: boolean;
+  /** Of a job that paints, when it is done. */
+  picture?: Picture;
+}
+
+/** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
 export interface Job {
   /** Works for about so many milliseconds. When done, the other functions answer from the result. */
-  step(budget: number): { progress: number; done: boolean };
+  step(budget: number): Progress;
 }
 
 /** The functions of a module. All throw `DirectrixError`. */
@@ -232,7 +241,7 @@ export interface Directrix {
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
-  job(document: DocumentInput): Job;
+  job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
 }
 
 export interface LoadOptions {
