@@ -10,7 +10,8 @@ import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
-import { presetDocument, presets } from "./frame/gallery.js";
+import { galleryItems, presetDocument, presets } from "./frame/gallery.js";
+import { openMenu } from "./frame/menu.js";
 import { createSheet } from "./frame/sheet.js";
 import { listenToShortcuts } from "./frame/shortcuts.js";
 import { createSpeech } from "./frame/speech.js";
@@ -19,18 +20,20 @@ import { currentTheme, followSystem } from "./frame/theme.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
+import { createEmpty } from "./stage/empty.js";
 import { listenToKeys } from "./stage/handle-keys.js";
 import { createHandles } from "./stage/handles.js";
 import { createLegend } from "./stage/legend.js";
 import { createMorph } from "./stage/morph.js";
 import { listenToPointer } from "./stage/pointer.js";
 import { createProbe } from "./stage/probe.js";
+import { createReading } from "./stage/reading.js";
 import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
-import { handleCount } from "./state/edits.js";
 import { Record } from "./state/record.js";
+import { only, within } from "./state/selection.js";
 import { keep, restore } from "./state/session.js";
 import { Store } from "./state/store.js";
 import { strings } from "./strings.js";
@@ -80,7 +83,7 @@ async function firstDocument(kernel) {
 function assemble(kernel, store, restored) {
   /** @type {Record<Ui>} */
   const ui = new Record({
-    selection: { curve: 1, point: 2 },
+    selection: only(1, 2),
     view: null,
     fitted: true,
     fitScale: 1,
@@ -94,12 +97,14 @@ function assemble(kernel, store, restored) {
     note: null,
     open: FIRST_OPEN,
     tab: "matching",
+    snap: false,
+    drawing: false,
     ...restored,
   });
   /** @type {Record<Results>} */
   const results = new Record({ ...NO_RESULTS });
   /** @type {App} */
-  const app = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {} };
+  const app = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {}, tool: null };
   return app;
 }
 
@@ -131,9 +136,18 @@ function run(app) {
   const handles = createHandles(app);
   const probe = createProbe(app);
   const morph = createMorph(app);
+  const reading = createReading(app);
   const parts = [
     createCanvas(app),
+    reading,
     handles,
+    frameOf(app),
+    { render: () => app.tool?.render() },
+    createEmpty(app, {
+      gallery: (button) =>
+        openMenu(galleryItems(app), { label: strings.bar.gallery, box: button.getBoundingClientRect(), button, wide: true }),
+      choose: bar.choose,
+    }),
     probe,
     createWitness(app),
     createLegend(app),
@@ -143,7 +157,7 @@ function run(app) {
     createInspector(app),
     createStatus(app),
   ];
-  listenToPointer(app, handles, probe);
+  listenToPointer(app, handles, probe, reading);
   listenToKeys(app, handles);
   listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
   listenToDrop(app);
@@ -152,6 +166,7 @@ function run(app) {
 
   const progress = find("#progress");
   let frame = 0;
+  let { document } = store;
   const draw = () => {
     frame = 0;
     for (const part of parts) part.render();
@@ -162,14 +177,9 @@ function run(app) {
   };
 
   store.subscribe(() => {
-    const { selection } = ui.value;
-    const last = selection ? handleCount(store.document.curves[selection.curve]) - 1 : 0;
-    ui.set({
-      probe: null,
-      witness: null,
-      note: null,
-      ...(selection?.point != null && selection.point > last ? { selection: { ...selection, point: last } } : {}),
-    });
+    if (store.document !== document) app.tool?.close();
+    ({ document } = store);
+    ui.set({ probe: null, witness: null, note: null, selection: within(ui.value.selection, store.document) });
     schedule();
   });
   ui.subscribe((now, before) => {
@@ -191,6 +201,27 @@ function run(app) {
     if (ui.value.fitted || !ui.value.view) refit();
   }).observe(find("#stage"));
   schedule();
+}
+
+/**
+ * The frame round a selection, loaded when there is one to be framed.
+ * @param {App} app
+ */
+function frameOf(app) {
+  /** @type {Promise<{render: () => void}> | null} */
+  let coming = null;
+  /** @type {{render: () => void} | null} */
+  let frame = null;
+  return {
+    render() {
+      const { selection } = app.ui.value;
+      if (frame) frame.render();
+      else if (!coming && selection && selection.points.length !== 1) {
+        coming = import("./stage/frame.js").then(({ createFrame }) => (frame = createFrame(app)));
+        void coming.then((part) => part.render());
+      }
+    },
+  };
 }
 
 if (!root.dataset.plain) {

@@ -2,15 +2,15 @@
  * Places on a curve for the pointer: where its outline runs on the screen and which parameter lies under a double
  * click. What the page shows as a result always comes from the kernel.
  *
- * @import { Curve, Point } from "./types.js"
+ * @import { Curve, Point, Shape } from "./types.js"
  */
 
-/** Chords drawn for one knot span. At 14 spans the outline is within a pixel of the curve. */
+/** Chords of one knot span, unless asked otherwise. At 14 spans the outline is within a pixel of the curve. */
 const CHORDS = 12;
 
 /**
  * The full knot vector with the control points it belongs to, repeated for a periodic curve.
- * @param {Curve} curve
+ * @param {Shape} curve
  * @returns {{knots: number[], points: Point[]}}
  */
 export function unrolled(curve) {
@@ -43,10 +43,11 @@ function clampedKnot(i, n, p) {
 
 /**
  * The outline as a chain of chords with the parameter of every vertex, seam at both ends.
- * @param {Curve} curve
+ * @param {Shape} curve
+ * @param {number} [chords] of one knot span
  * @returns {{u: number, at: Point}[]}
  */
-export function outline(curve) {
+export function outline(curve, chords = CHORDS) {
   const { knots, points } = unrolled(curve);
   const p = curve.degree;
   /** @type {{u: number, at: Point}[]} */
@@ -55,8 +56,8 @@ export function outline(curve) {
     const a = /** @type {number} */ (knots[span]);
     const b = /** @type {number} */ (knots[span + 1]);
     if (!(b > a)) continue;
-    for (let i = chain.length === 0 ? 0 : 1; i <= CHORDS; i += 1) {
-      const u = a + ((b - a) * i) / CHORDS;
+    for (let i = chain.length === 0 ? 0 : 1; i <= chords; i += 1) {
+      const u = a + ((b - a) * i) / chords;
       chain.push({ u, at: deBoor(knots, points, p, span, u) });
     }
   }

@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
+import { runCommand } from "../commands.js";
 import { checkBox } from "../controls/choices.js";
 import { h } from "../dom.js";
 import { symbol } from "../icons.js";
@@ -26,13 +27,15 @@ export function layersGroup(app) {
       },
     ),
   }));
+  const snap = checkBox({ name: "snap", text: [words.snap] }, () => void runCommand(app, "snap"));
   return {
     name: "layers",
     heading: words.heading,
-    body: h("div", { class: "layers" }, ...boxes.map(({ element }) => element)),
+    body: h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
       for (const { name, set } of boxes) set(app.ui.value.layers.includes(name));
+      snap.set(app.ui.value.snap);
     },
   };
 }

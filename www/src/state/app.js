@@ -8,7 +8,7 @@
  * @property {string} text
  *
  * @typedef {object} Ui
- * @property {Selection | null} selection
+ * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit
  * @property {boolean} fitted the view follows the size of the window
  * @property {number} fitScale the scale that counts as 100 %
@@ -22,6 +22,8 @@
  * @property {Note | null} note
  * @property {string[]} open names of the open groups
  * @property {string} tab the group shown on a phone
+ * @property {boolean} snap dragged points rest on the grid
+ * @property {boolean} drawing a tool has the canvas, and the handles stand back
  *
  * @typedef {object} Results
  * @property {CurvesDocument | null} matched the document that `match` or `problem` belongs to
@@ -40,6 +42,19 @@
  * @property {(text: string) => void} say speaks through the live region
  * @property {() => void} retry asks for the picture again
  * @property {() => void} cancel gives up running work
+ * @property {Tool | null} tool what has the canvas instead of the handles
+ *
+ * @typedef {object} Tool
+ * @property {(at: Point | null) => void} hover CSS pixels, null when the pointer leaves
+ * @property {(at: Point, event: PointerEvent) => void} tap a press and release in one place
+ * @property {(at: Point) => Stroke | null} stroke what a press begins that moves on; null to pan
+ * @property {() => void} render
+ * @property {() => void} close gives up
+ *
+ * @typedef {object} Stroke
+ * @property {(at: Point) => void} to
+ * @property {() => void} end
+ * @property {() => void} undo
  */
 import { strings } from "../strings.js";
 
@@ -79,6 +94,7 @@ export const NO_RESULTS = {
 export function curveName(document, index) {
   const own = document.curves[index]?.name;
   if (own) return own;
+  if (document.curves.length < 2) return strings.curves.one;
   const reach = document.curves.map(({ points }) => {
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);
