@@ -24,6 +24,7 @@ export const strings = {
     undo: "Undo",
     redo: "Redo",
     gallery: "Gallery",
+    galleryItem: "Gallery…",
     open: "Open",
     export: "Export",
     menu: "Menu",
@@ -222,6 +223,17 @@ export const strings = {
 
   panel: {
     close: "Close",
+  },
+
+  gallery: {
+    heading: "Gallery",
+    topics: {
+      shapes: "Shapes",
+      pockets: "Pockets",
+      measures: "Measures and limits",
+      materials: "Materials",
+    },
+    notMatchable: "No matching",
   },
 
   sheet: {

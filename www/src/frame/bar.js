@@ -9,7 +9,7 @@ import { find, h, write } from "../dom.js";
 import { exportAs, openFile } from "../files.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
-import { galleryItems } from "./gallery.js";
+import { openGallery } from "./gallery.js";
 import { mark } from "./mark.js";
 import { attachMenu } from "./menu.js";
 import { toggleTheme } from "./theme.js";
@@ -55,6 +55,7 @@ export function createBar(app) {
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
+  gallery.addEventListener("click", () => void openGallery(app));
   open.addEventListener("click", () => file.click());
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
@@ -66,12 +67,11 @@ export function createBar(app) {
       text: strings.exports[kind],
       act: () => void exportAs(app, kind),
     }));
-  attachMenu(gallery, () => galleryItems(app), { wide: true });
   attachMenu(exporting, exportItems);
   attachMenu(
     menu,
     () => [
-      ...galleryItems(app),
+      { name: "gallery", text: words.galleryItem, act: () => void openGallery(app) },
       "line",
       { name: "open", text: words.open, act: () => file.click() },
       ...exportItems(),
