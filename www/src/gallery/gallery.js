@@ -6,7 +6,7 @@
  * @import { Preset, Topic } from "./presets.js"
  */
 import { h } from "../dom.js";
-import { openDocument } from "../files.js";
+import { openDocument } from "../files/open.js";
 import { openPanel } from "../frame/panel.js";
 import { strings } from "../strings.js";
 import { presetDocument, presets, thumbnail } from "./presets.js";
