@@ -50,6 +50,7 @@ export interface CurvesDocument {
   title?: string;
   unit?: string;
   materials?: Material[];
+  /** Two; fewer while they are being drawn. */
   curves: Curve[];
   sampling?: { scheme?: "parameter" | "arc-length" | "adaptive"; counts?: [number, number] };
   matching: {
@@ -72,7 +73,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -121,9 +122,10 @@ export interface Match {
   /** Whether every sample has a line, none cross and none is blocked. */
   ok: boolean;
   diagnostics: Diagnostic[];
-  /** Which curves were drawn clockwise; on those u becomes lo + hi - u. */
-  reversed: [boolean, boolean];
-  samples: [Samples, Samples];
+  /** Of each curve that is there: whether it was drawn clockwise; on those u becomes lo + hi - u. */
+  reversed: boolean[];
+  /** Of each curve that is there. */
+  samples: Samples[];
   /** In cyclic order. */
   lines: Line[];
   /** One-to-one pairs; empty in this release. */

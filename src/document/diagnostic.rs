@@ -9,6 +9,11 @@ use std::fmt;
 /// Curves are numbered as in the document, vertices along the counter-clockwise curve.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Diagnostic {
+    /// A drawing in progress: fewer than two curves.
+    Incomplete {
+        /// Number of curves that are there, 0 or 1.
+        curves: usize,
+    },
     /// A curve has a corner; the normal there is the bisector of the two sides.
     Corner {
         /// Number of the curve.
@@ -58,6 +63,7 @@ impl Diagnostic {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
+            Self::Incomplete { .. } => "incomplete",
             Self::Corner { .. } => "corner",
             Self::OpposedNormals { .. } => "opposed-normals",
             Self::Orphan { .. } => "orphan",
@@ -73,6 +79,15 @@ impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let near = |f: &mut fmt::Formatter<'_>, at: &DVec2| write!(f, " near {}", ShownPlace(*at));
         match self {
+            Self::Incomplete { curves: 0 } => {
+                write!(f, "0 of 2 curves are there; draw or import two closed curves, one inside the other")
+            }
+            Self::Incomplete { curves } => {
+                write!(
+                    f,
+                    "{curves} of 2 curves is there; draw or import a second one, inside it or around it"
+                )
+            }
             Self::Corner { curve, at, turn, .. } => {
                 write!(f, "curve {curve} has a corner of {} degrees", turn.round())?;
                 near(f, at)

@@ -69,7 +69,6 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     if let Some(third) = items.get(2) {
         return Err(third.not_yet("stacks of more than two curves"));
     }
-    list.check_count(items.len(), " curves", 2..=2)?;
     let mut curves = Vec::with_capacity(items.len());
     for (number, item) in items.iter().enumerate() {
         curves.push(curve(item, &pure(number.min(materials - 1), materials))?);

@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 
-/// A curves document: two closed curves, their materials, and how to match and blend them.
+/// A curves document: two closed curves, or fewer while they are being drawn, their materials, and how to match and blend them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CurvesDocument {
@@ -18,7 +18,7 @@ pub struct CurvesDocument {
     pub unit: String,
     /// Materials; a composition has one fraction for each.
     pub materials: Vec<MaterialSpec>,
-    /// The two directrices.
+    /// The directrices, two in a finished document.
     pub curves: Vec<CurveSpec>,
     /// How the curves are sampled.
     pub sampling: Sampling,

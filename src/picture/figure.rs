@@ -1,6 +1,7 @@
 //! The picture of a solved document.
 
 use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::Matching;
 use crate::material::{Oklab, mix_colors};
@@ -69,15 +70,12 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     drawing.list
 }
 
-/// The two curves as closed polylines within a chord error in document units.
+/// The curves as closed polylines within a chord error in document units.
 fn outlines(solution: &Solution, tolerance: f64) -> Path {
     let finest = solution.model.bounds().diagonal() * 1e-6;
-    let rings = solution
-        .model
-        .curves()
-        .each_ref()
-        .map(|curve| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, point)| point).collect());
-    Path { rings: rings.into(), closed: true }
+    let ring =
+        |curve: &ClosedBSpline| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, p)| p).collect();
+    Path { rings: solution.model.curves().iter().map(ring).collect(), closed: true }
 }
 
 struct Drawing<'a> {
@@ -99,7 +97,9 @@ impl Drawing<'_> {
     }
 
     fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
-        self.list.push(layer, Item::Stroke { path, style });
+        if !path.rings.is_empty() {
+            self.list.push(layer, Item::Stroke { path, style });
+        }
     }
 
     /// The style of a line inside the band: on the bare canvas it takes the colour of the curves, which shows there.
@@ -159,7 +159,7 @@ impl Drawing<'_> {
     }
 
     fn lines(&mut self, matching: &Matching) {
-        let [first, second] = self.solution.model.samples();
+        let Some((_, [first, second])) = self.solution.model.pair() else { return };
         let segments: Vec<Vec<DVec2>> =
             matching.lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
         if self.shows(LayerName::Value) {
@@ -192,7 +192,7 @@ impl Drawing<'_> {
             let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
             self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
         }
-        if self.shows(LayerName::Samples) && !self.is_small {
+        if self.shows(LayerName::Samples) && !self.is_small && !samples.is_empty() {
             let dots = Item::Dots {
                 centers: samples.iter().flat_map(|samples| &samples.points).copied().collect(),
                 radius_px: self.theme.sample_radius,

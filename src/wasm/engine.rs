@@ -191,9 +191,12 @@ fn describe(solution: &Solution) -> String {
                 totals.count, totals.crossings, totals.blocked
             )
         }
-        document::Outcome::Unmatched | document::Outcome::Refused(_) => {
-            "Two curves that are not matched".to_owned()
+        document::Outcome::Unmatched | document::Outcome::Refused(_) => match solution.model.curves().len() {
+            0 => "No curves yet",
+            1 => "One curve",
+            _ => "Two curves that are not matched",
         }
+        .to_owned(),
     }
 }
 

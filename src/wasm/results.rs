@@ -11,7 +11,7 @@ use serde::Serialize;
 pub(super) struct MatchResult {
     ok: bool,
     diagnostics: Vec<DiagnosticResult>,
-    reversed: [bool; 2],
+    reversed: Vec<bool>,
     samples: Vec<SamplesResult>,
     lines: Vec<LineResult>,
     pairs: [(); 0],
@@ -121,7 +121,7 @@ impl MatchResult {
         Ok(Self {
             ok: solution.is_complete(),
             diagnostics: solution.diagnostics.iter().map(DiagnosticResult::from).collect(),
-            reversed: model.reversed(),
+            reversed: model.reversed().to_vec(),
             samples: model
                 .samples()
                 .iter()
@@ -189,7 +189,7 @@ impl From<&Diagnostic> for DiagnosticResult {
                 result.curve = Some(*curve);
                 result.vertices = Some(vertices.clone());
             }
-            Diagnostic::Disjoint => {}
+            Diagnostic::Incomplete { .. } | Diagnostic::Disjoint => {}
             Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
             Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
         }

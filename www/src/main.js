@@ -6,7 +6,7 @@
  */
 import { connect } from "../../js/index.js";
 import { explain } from "./explain.js";
-import { splitView } from "./files.js";
+import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
@@ -29,8 +29,8 @@ import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
-import { handleCount } from "./state/edits.js";
 import { Record } from "./state/record.js";
+import { only, within } from "./state/selection.js";
 import { keep, restore } from "./state/session.js";
 import { Store } from "./state/store.js";
 import { strings } from "./strings.js";
@@ -80,7 +80,7 @@ async function firstDocument(kernel) {
 function assemble(kernel, store, restored) {
   /** @type {Record<Ui>} */
   const ui = new Record({
-    selection: { curve: 1, point: 2 },
+    selection: only(1, 2),
     view: null,
     fitted: true,
     fitScale: 1,
@@ -162,14 +162,7 @@ function run(app) {
   };
 
   store.subscribe(() => {
-    const { selection } = ui.value;
-    const last = selection ? handleCount(store.document.curves[selection.curve]) - 1 : 0;
-    ui.set({
-      probe: null,
-      witness: null,
-      note: null,
-      ...(selection?.point != null && selection.point > last ? { selection: { ...selection, point: last } } : {}),
-    });
+    ui.set({ probe: null, witness: null, note: null, selection: within(ui.value.selection, store.document) });
     schedule();
   });
   ui.subscribe((now, before) => {

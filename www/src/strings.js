@@ -70,7 +70,11 @@ export const strings = {
     outer: "Outer",
     shape: (/** @type {number} */ degree, /** @type {number} */ points) =>
       `${DEGREES[degree] ?? `degree ${degree}`} · ${plural(points, "point", "points")}`,
-    phrase: (/** @type {number} */ a, /** @type {number} */ b) => `${a} and ${b} points`,
+    phrase: (/** @type {number[]} */ counts) =>
+      counts.length === 1 ? plural(counts[0], "point", "points") : counts.length === 0 ? "none" : `${counts.join(" and ")} points`,
+    one: "Curve",
+    none: "No curve yet.",
+    several: (/** @type {number} */ count) => plural(count, "point", "points"),
     point: (/** @type {string} */ name) => `Point ${name}`,
     center: "Centre",
     name: "Name, height",

@@ -52,7 +52,7 @@
  * @property {string} title
  * @property {string} unit
  * @property {Material[]} materials
- * @property {[Curve, Curve]} curves
+ * @property {Curve[]} curves two, or fewer while a drawing is in progress
  * @property {Sampling} sampling
  * @property {Matching} matching
  * @property {Blend} blend
@@ -62,7 +62,7 @@
  *
  * @typedef {object} Selection
  * @property {0 | 1} curve
- * @property {number | null} point index of a control point, or null for the whole curve
+ * @property {number[]} points ascending indices of control points; none for the whole curve
  *
  * @typedef {{code: string, path?: string, message: string, name?: string, at?: Point}} Problem
  *   What is left of a DirectrixError once it is shown.

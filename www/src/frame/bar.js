@@ -6,7 +6,8 @@
  */
 import { textField } from "../controls/text-field.js";
 import { find, h, write } from "../dom.js";
-import { exportAs, openFile } from "../files.js";
+import { exportAs } from "../files/export.js";
+import { openFile } from "../files/open.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
 import { galleryItems } from "./gallery.js";

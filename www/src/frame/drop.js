@@ -4,7 +4,7 @@
  * @import { App } from "../state/app.js"
  */
 import { find } from "../dom.js";
-import { openFile } from "../files.js";
+import { openFile } from "../files/open.js";
 import { strings } from "../strings.js";
 
 /** @param {App} app */

@@ -2,7 +2,7 @@
  * Curves: the two rows, the selected point or the whole curve in numbers, name and height.
  *
  * @import { App } from "../state/app.js"
- * @import { Curve, Point } from "../types.js"
+ * @import { Selection } from "../types.js"
  * @import { Group } from "./group.js"
  */
 import { numberField } from "../controls/number-field.js";
@@ -11,8 +11,8 @@ import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
 import { curveMark, symbol } from "../icons.js";
 import { curveName, pointName } from "../state/app.js";
-import { canRemovePoint, changeCurve, handleCount, moveCurve, movePoint } from "../state/edits.js";
-import { centerOf } from "../stage/handles.js";
+import { canRemovePoints, changeCurve, handleCount, movePoints } from "../state/edits.js";
+import { middleOf, movedPoints, whole } from "../state/selection.js";
 import { insertAfter, remove } from "../stage/points.js";
 import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
@@ -27,7 +27,7 @@ const FAR = 1e12;
  */
 export function curvesGroup(app) {
   const words = strings.curves;
-  const selection = () => app.ui.value.selection ?? { curve: /** @type {0 | 1} */ (1), point: null };
+  const selection = () => app.ui.value.selection ?? whole(app.store.document.curves.length === 2 ? 1 : 0);
   const rows = /** @type {const} */ ([0, 1]).map((index) => {
     const name = h("span", {});
     const shape = h("span", { class: "aside number" });
@@ -37,7 +37,7 @@ export function curvesGroup(app) {
         type: "button",
         class: "curve-row",
         "data-curve-row": index,
-        onclick: () => app.ui.set({ selection: { curve: index, point: null } }),
+        onclick: () => app.ui.set({ selection: whole(index) }),
       },
       /** @type {any} */ (curveMark(index)),
       name,
@@ -58,15 +58,9 @@ export function curvesGroup(app) {
         decimals: 2,
       },
       editing(app, (document, value) => {
-        const { curve, point } = selection();
-        const shape = document.curves[curve];
-        if (point === null) {
-          const by = value - centerOf(shape)[axis];
-          return moveCurve(document, curve, axis === 0 ? [by, 0] : [0, by]);
-        }
-        const to = /** @type {Point} */ ([...(shape.points[point] ?? [0, 0])]);
-        to[axis] = value;
-        return movePoint(document, curve, point, to);
+        const chosen = selection();
+        const by = value - middleOf(document, chosen)[axis];
+        return movePoints(document, chosen.curve, movedPoints(document, chosen), axis === 0 ? [by, 0] : [0, by]);
       }),
     );
   const x = place(0);
@@ -102,46 +96,57 @@ export function curvesGroup(app) {
   const add = command("add-point", words.add, words.addHelp);
   const removing = command("remove-point", words.remove, words.removeHelp);
   add.addEventListener("click", () => {
-    const { curve, point } = selection();
-    void insertAfter(app, curve, point ?? 0);
+    const { curve, points } = selection();
+    void insertAfter(app, curve, points[0] ?? 0);
   });
   removing.addEventListener("click", () => {
-    const { curve, point } = selection();
-    if (point !== null) remove(app, curve, point);
+    const { curve, points } = selection();
+    if (points.length > 0) remove(app, curve, points);
   });
 
-  const body = h("div", {}, ...rows.map(({ button }) => button), placeRow, row(words.name, name, height));
+  const details = h("div", {}, placeRow, row(words.name, name, height));
+  const none = h("p", { class: "note" }, words.none);
+  const body = h("div", {}, ...rows.map(({ button }) => button), none, details);
 
   return {
     name: "curves",
     heading: words.heading,
     body,
     commands: [add, removing],
-    phrase() {
-      const [a, b] = app.store.document.curves;
-      return words.phrase(handleCount(a), handleCount(b));
-    },
+    phrase: () => words.phrase(app.store.document.curves.map(handleCount)),
     render() {
       const { document } = app.store;
-      const { curve, point } = selection();
+      const chosen = selection();
+      const { curve, points } = chosen;
       rows.forEach((item, index) => {
-        const shape = /** @type {Curve} */ (document.curves[index]);
+        const shape = document.curves[index];
+        item.button.hidden = !shape;
+        if (!shape) return;
         write(item.name, curveName(document, index));
         write(item.shape, words.shape(shape.degree, handleCount(shape)));
         attribute(item.button, "aria-pressed", String(index === curve));
       });
       const shape = document.curves[curve];
-      const at = point === null ? centerOf(shape) : shape.points[point];
-      write(placeLabel, point === null ? words.center : words.point(pointName(curve, point)));
-      if (at) {
-        x.set(at[0]);
-        y.set(at[1]);
-      }
+      details.hidden = !shape;
+      none.hidden = Boolean(shape);
+      add.disabled = !shape;
+      removing.disabled = !shape || points.length === 0 || !canRemovePoints(shape, points.length);
+      if (!removing.disabled) removing.title = words.removeHelp;
+      else removing.title = shape && points.length > 0 ? strings.handles.tooFew(shape.degree) : words.removeNone;
+      if (!shape) return;
+      const [px, py] = middleOf(document, chosen);
+      write(placeLabel, placeName(chosen));
+      x.set(px);
+      y.set(py);
       name.set(curveName(document, curve));
       height.set(shape.height);
-      removing.disabled = point === null || !canRemovePoint(shape);
-      if (!removing.disabled) removing.title = words.removeHelp;
-      else removing.title = point === null ? words.removeNone : strings.handles.tooFew(shape.degree);
     },
   };
+}
+
+/** @param {Selection} selection */
+function placeName({ curve, points }) {
+  const words = strings.curves;
+  if (points.length === 0) return words.center;
+  return points.length === 1 ? words.point(pointName(curve, points[0])) : words.several(points.length);
 }

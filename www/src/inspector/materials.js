@@ -104,7 +104,9 @@ function materialRow(app, index) {
       attribute(color, "aria-label", words.color(material.name));
       name.set(material.name);
       holders.forEach((button, curve) => {
-        const shape = /** @type {import("../types.js").Curve} */ (document.curves[curve]);
+        const shape = document.curves[curve];
+        button.hidden = !shape;
+        if (!shape) return;
         const label = curveName(document, curve);
         write(button, inSentence(label));
         attribute(button, "aria-label", words.on(label, material.name));

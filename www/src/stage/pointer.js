@@ -2,7 +2,8 @@
  * Pointer, wheel and touch on the figure: drag a point or a curve, pan, zoom about the pointer, pinch.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument, Point } from "../types.js"
+ * @import { Point, Selection } from "../types.js"
+ * @import { Held } from "./handles.js"
  *
  * @typedef {object} Drag
  * @property {"point" | "curve" | "pan"} kind
@@ -14,9 +15,10 @@
  */
 import { newRun } from "../controls/run.js";
 import { find } from "../dom.js";
-import { moveCurve, movePoint } from "../state/edits.js";
+import { movePoints } from "../state/edits.js";
+import { includes, movedPoints, toggle } from "../state/selection.js";
 import { aimed, panned, toPlane, zoomed } from "../view.js";
-import { selectionOf, spokenPlace } from "./handle-keys.js";
+import { chosenBy, heldBy, spokenPlace } from "./handle-keys.js";
 import { insertAt } from "./points.js";
 import { zoomLimits } from "./zoom.js";
 
@@ -41,7 +43,7 @@ export function listenToPointer(app, handles, probe) {
   let drag = null;
   /** @type {number | null} */
   let pinch = null;
-  /** @type {ReturnType<typeof selectionOf>} */
+  /** @type {Held | null} */
   let pressed = null;
 
   /** @param {MouseEvent} event @returns {Point} */
@@ -53,7 +55,7 @@ export function listenToPointer(app, handles, probe) {
   const onFurniture = (event) => event.target instanceof Element && event.target.closest("[data-furniture]") !== null;
   /** @param {Point} at @param {PointerEvent} event */
   const under = (at, event) =>
-    handles.nearest(at, event.pointerType === "touch" ? REACH.touch : REACH.mouse) ?? selectionOf(event.target);
+    handles.nearest(at, event.pointerType === "touch" ? REACH.touch : REACH.mouse) ?? heldBy(event.target);
 
   stage.addEventListener("pointerdown", (event) => {
     if (event.button > 1 || onFurniture(event)) return;
@@ -72,11 +74,12 @@ export function listenToPointer(app, handles, probe) {
     event.preventDefault();
     probe.hover(null);
     if (held) {
-      app.ui.set({ selection: held });
+      const selection = chosen(held, event.shiftKey);
+      app.ui.set({ selection });
       handles.render();
-      handles.focus(held);
+      handles.focus(held.point === null || includes(selection, held.curve, held.point) ? held : firstOf(selection));
       handles.hold(held, event.pointerType === "touch");
-      drag = held.point === null ? dragCurve(held.curve, at) : dragPoint(held.curve, held.point, at);
+      drag = dragSelection(held, selection, at);
     } else {
       if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
       drag = dragView(at);
@@ -116,6 +119,7 @@ export function listenToPointer(app, handles, probe) {
     if (event.type === "pointercancel") drag.undo();
     else if (!drag.moved && drag.kind === "pan" && event.pointerType === "touch") probe.tap(place(event));
     else if (drag.moved && drag.kind !== "pan") speakSelection();
+    else if (!drag.moved && pressed && !event.shiftKey) app.ui.set({ selection: chosenBy(pressed) });
     finish();
   };
   stage.addEventListener("pointerup", up);
@@ -160,7 +164,7 @@ export function listenToPointer(app, handles, probe) {
 
   function speakSelection() {
     const { selection } = app.ui.value;
-    if (selection) app.say(spokenPlace(app, selection.curve, selection.point));
+    if (selection) app.say(spokenPlace(app.store.document, selection));
   }
 
   /** @param {import("../types.js").View} view */
@@ -168,36 +172,40 @@ export function listenToPointer(app, handles, probe) {
     app.ui.set({ view, fitted: false });
   }
 
-  /** @param {0 | 1} curve @param {number} point @param {Point} from @returns {Drag} */
-  function dragPoint(curve, point, from) {
-    const start = /** @type {Point} */ (app.store.document.curves[curve].points[point]);
-    return dragOf("point", from, (document, by) => movePoint(document, curve, point, aim(start, by)));
-  }
-
-  /** @param {0 | 1} curve @param {Point} from @returns {Drag} */
-  function dragCurve(curve, from) {
-    const start = app.store.document;
-    return dragOf("curve", from, (_, by) => moveCurve(start, curve, aim([0, 0], by)));
+  /**
+   * What a press on a handle chooses: a point of the selection takes the others along, Shift adds or drops one.
+   * @param {Held} held
+   * @param {boolean} add
+   */
+  function chosen(held, add) {
+    const { selection } = app.ui.value;
+    if (held.point !== null && add) return toggle(selection, held.curve, held.point);
+    if (held.point !== null && includes(selection, held.curve, held.point)) return /** @type {Selection} */ (selection);
+    return chosenBy(held);
   }
 
   /**
-   * @param {"point" | "curve"} kind
+   * @param {Held} held
+   * @param {Selection} selection
    * @param {Point} from
-   * @param {(document: CurvesDocument, by: Point) => CurvesDocument} change `by` in document units
    * @returns {Drag}
    */
-  function dragOf(kind, from, change) {
+  function dragSelection({ curve, point }, selection, from) {
+    const { document } = app.store;
+    const start = /** @type {Point} */ (point === null ? [0, 0] : document.curves[curve].points[point]);
+    const moved = movedPoints(document, selection);
     const run = newRun("drag");
     return {
-      kind,
+      kind: point === null ? "curve" : "point",
       run,
       from,
       moved: false,
       to(at) {
         const { view } = app.ui.value;
         if (!view) return;
-        const by = /** @type {Point} */ ([(at[0] - from[0]) / view.scale, (from[1] - at[1]) / view.scale]);
-        app.store.commit({ run, change: (document) => change(document, by) });
+        const to = aim(start, [(at[0] - from[0]) / view.scale, (from[1] - at[1]) / view.scale]);
+        const by = /** @type {Point} */ ([to[0] - start[0], to[1] - start[1]]);
+        app.store.commit({ run, change: (now) => movePoints({ ...now, curves: document.curves }, curve, moved, by) });
       },
       undo: () => app.store.cancel(run),
     };
@@ -225,6 +233,11 @@ export function listenToPointer(app, handles, probe) {
       undo: () => app.ui.set({ view: start, fitted }),
     };
   }
+}
+
+/** @param {Selection} selection @returns {Held} */
+function firstOf({ curve, points }) {
+  return { curve, point: points[0] ?? null };
 }
 
 /** @param {Map<number, Point>} down */

@@ -8,7 +8,7 @@
  * @property {string} text
  *
  * @typedef {object} Ui
- * @property {Selection | null} selection
+ * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit
  * @property {boolean} fitted the view follows the size of the window
  * @property {number} fitScale the scale that counts as 100 %
@@ -79,6 +79,7 @@ export const NO_RESULTS = {
 export function curveName(document, index) {
   const own = document.curves[index]?.name;
   if (own) return own;
+  if (document.curves.length < 2) return strings.curves.one;
   const reach = document.curves.map(({ points }) => {
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);

@@ -17,11 +17,12 @@ export function handleCount(curve) {
 }
 
 /**
- * Whether a control point can go: a closed curve of degree p keeps at least p + 1.
+ * Whether control points can go: a closed curve of degree p keeps at least p + 1, and three handles.
  * @param {Curve} curve
+ * @param {number} [count]
  */
-export function canRemovePoint(curve) {
-  return curve.points.length > curve.degree + 1 && handleCount(curve) > 3;
+export function canRemovePoints(curve, count = 1) {
+  return curve.points.length - count > curve.degree && handleCount(curve) - count >= 3;
 }
 
 /**
@@ -31,11 +32,35 @@ export function canRemovePoint(curve) {
  * @returns {CurvesDocument}
  */
 export function changeCurve(document, index, change) {
-  const curve = /** @type {Curve} */ (document.curves[index]);
+  const curve = document.curves[index];
+  if (!curve) return document;
   const next = change(curve);
   if (next === curve) return document;
-  const curves = /** @type {[Curve, Curve]} */ (document.curves.map((other, i) => (i === index ? next : other)));
-  return { ...document, curves };
+  return { ...document, curves: document.curves.map((other, i) => (i === index ? next : other)) };
+}
+
+/**
+ * Puts some control points of a curve elsewhere. The last point of a clamped curve goes with the first.
+ * @param {CurvesDocument} document
+ * @param {number} index
+ * @param {readonly number[]} points
+ * @param {(at: Point) => Point} place
+ */
+export function placePoints(document, index, points, place) {
+  return changeCurve(document, index, (curve) => {
+    const chosen = new Set(points);
+    const last = curve.points.length - 1;
+    if (curve.form === "clamped" && chosen.has(0)) chosen.add(last);
+    let moved = false;
+    const next = curve.points.map((from, i) => {
+      if (!chosen.has(i)) return from;
+      const [x, y] = place(from);
+      if (x === from[0] && y === from[1]) return from;
+      moved = true;
+      return /** @type {Point} */ ([x, y]);
+    });
+    return moved ? { ...curve, points: next } : curve;
+  });
 }
 
 /**
@@ -45,47 +70,43 @@ export function changeCurve(document, index, change) {
  * @param {Point} to
  */
 export function movePoint(document, index, point, to) {
-  return changeCurve(document, index, (curve) => {
-    const from = curve.points[point];
-    if (!from || (from[0] === to[0] && from[1] === to[1])) return curve;
-    const seam = curve.form === "clamped" && point === 0 ? curve.points.length - 1 : point;
-    /** @type {Point[]} */
-    const points = curve.points.map((p, i) => (i === point || i === seam ? [to[0], to[1]] : p));
-    return { ...curve, points };
-  });
+  return placePoints(document, index, [point], () => to);
 }
 
 /**
  * @param {CurvesDocument} document
  * @param {number} index
+ * @param {readonly number[]} points
  * @param {Point} by
  */
-export function moveCurve(document, index, by) {
-  if (by[0] === 0 && by[1] === 0) return document;
-  return changeCurve(document, index, (curve) => ({
-    ...curve,
-    points: curve.points.map(([x, y]) => /** @type {Point} */ ([tidy(x + by[0]), tidy(y + by[1])])),
-  }));
+export function movePoints(document, index, points, by) {
+  return placePoints(document, index, points, ([x, y]) => [tidy(x + by[0]), tidy(y + by[1])]);
 }
 
 /**
- * Takes a control point away, and the knot that belonged to it.
+ * Takes control points away, each with the knot that belonged to it; all of them, or none where too few would be left.
  * @param {CurvesDocument} document
  * @param {number} index
- * @param {number} point
+ * @param {readonly number[]} points
  */
-export function removePoint(document, index, point) {
+export function removePoints(document, index, points) {
   return changeCurve(document, index, (curve) => {
-    if (!canRemovePoint(curve) || point >= handleCount(curve)) return curve;
-    let points = curve.points.filter((_, i) => i !== point);
-    if (curve.form === "clamped" && point === 0) {
-      const first = /** @type {Point} */ (points[0]);
-      points = [...points.slice(0, -1), [first[0], first[1]]];
-    }
-    const { knots: _, ...rest } = curve;
-    const knots = dropKnot(curve, point);
-    return knots ? { ...rest, points, knots } : { ...rest, points };
+    if (points.length === 0 || !canRemovePoints(curve, points.length)) return curve;
+    return [...points].sort((a, b) => b - a).reduce(withoutPoint, curve);
   });
+}
+
+/**
+ * @param {Curve} curve
+ * @param {number} point
+ * @returns {Curve}
+ */
+function withoutPoint(curve, point) {
+  let points = curve.points.filter((_, i) => i !== point);
+  if (curve.form === "clamped" && point === 0) points = [...points.slice(0, -1), [points[0][0], points[0][1]]];
+  const { knots: _, ...rest } = curve;
+  const knots = dropKnot(curve, point);
+  return knots ? { ...rest, points, knots } : { ...rest, points };
 }
 
 /**
@@ -157,12 +178,10 @@ export function holds(curve, material) {
  * @returns {CurvesDocument}
  */
 function withMixes(document, change) {
-  const curves = /** @type {[Curve, Curve]} */ (
-    document.curves.map((curve) => ({
-      ...curve,
-      composition: curve.composition.map((key) => ({ ...key, mix: change(key.mix) })),
-    }))
-  );
+  const curves = document.curves.map((curve) => ({
+    ...curve,
+    composition: curve.composition.map((key) => ({ ...key, mix: change(key.mix) })),
+  }));
   return { ...document, curves };
 }
 

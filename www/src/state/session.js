@@ -12,7 +12,7 @@
 
 /** Milliseconds of rest before the work is kept. */
 const PAUSE = 800;
-const VERSION = 1;
+const VERSION = 2;
 
 /** @returns {Session | null} */
 export function restore() {
