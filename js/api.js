@@ -6,6 +6,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "match",
   "stages",
   "cells",
+  "isolines",
   "probe",
   "paint",
   "svg",
@@ -13,6 +14,27 @@ export const FUNCTIONS = /** @type {const} */ ([
   "insertPoint",
   "defaults",
 ]);
+
+/** The levels of isolines that are not asked for. */
+const TENTHS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+
+/**
+ * Isolines by level, from lists of numbers: the index of the level and 0 or 1 for closed, then x and y of each point.
+ *
+ * @param {number[]} levels
+ * @param {number[][] | null} flat null without a complete matching
+ * @returns {import("./directrix.js").Isoline[]}
+ */
+function grouped(levels, flat) {
+  if (!flat) return [];
+  const groups = levels.map((level) => /** @type {import("./directrix.js").Isoline} */ ({ level, lines: [], closed: [] }));
+  for (const [k, closed, ...numbers] of flat) {
+    const points = Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
+    groups[k].lines.push(/** @type {import("./directrix.js").Point[]} */ (points));
+    groups[k].closed.push(closed === 1);
+  }
+  return groups;
+}
 
 /**
  * Wraps an engine of the module: documents go in as objects or as text, errors come out as `DirectrixError`.
@@ -42,6 +64,12 @@ export function createApi(engine) {
     match: (document) => ask(() => engine.match(toText(document))),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
     cells: (document) => ask(() => engine.cells(toText(document))),
+    isolines: (document, options = {}) =>
+      ask(() => {
+        const { levels = TENTHS } = options;
+        const flat = engine.isolines(toText(document), toText({ ...options, levels }, "options"));
+        return grouped(levels, flat);
+      }),
     probe: (document, [x, y]) => ask(() => engine.probe(toText(document), x, y)),
     paint(document, options) {
       const painting = start(document, options);

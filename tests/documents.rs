@@ -251,6 +251,51 @@ fn band_of_an_annulus_has_its_radii_and_fractions() {
 }
 
 #[test]
+fn iso_lines_of_every_preset_have_their_fraction_and_are_drawn() {
+    for (id, _, text) in presets() {
+        let solution = Solve::run(read_text(&text).expect("a valid document")).expect("valid curves");
+        let Some(band) = solution.band() else { continue };
+        let mut met = 0;
+        for material in 0..solution.model.materials().len() {
+            for tenth in 1..10 {
+                let level = f64::from(tenth) / 10.0;
+                for line in band.iso_lines(material, level) {
+                    met += 1;
+                    for point in line.points {
+                        let place = band.locate(point).expect("in the band");
+                        let fraction = place.composition.fractions()[material];
+                        assert!((fraction - level).abs() < 1e-6, "{id}: {fraction} for {level}");
+                    }
+                }
+            }
+        }
+        assert!(met >= 9, "{id}: {met} lines");
+        let draw = |options: Value| {
+            let options =
+                PictureOptions::read(&Json::parse(&options.to_string()).expect("JSON")).expect("valid");
+            options.check(&solution.model)?;
+            let viewport = options.viewport(&solution.model);
+            let list = figure(&solution, &options.figure(&solution.model), &viewport);
+            Ok::<_, DocumentError>((
+                to_svg(&list, &viewport, "", ""),
+                paint(&list, &viewport).expect("a picture"),
+            ))
+        };
+        let size = json!({"width": 300, "height": 240, "layers": ["material", "isoComposition"]});
+        let (svg, pixels) = draw(size.clone()).expect("valid");
+        assert!(svg.contains("id=\"layer-iso-composition\""), "{id}");
+        let mut plain = size.clone();
+        plain["layers"] = json!(["material"]);
+        let (bare, without) = draw(plain).expect("valid");
+        assert!(!bare.contains("iso-composition") && pixels != without, "{id}");
+        let mut beyond = size;
+        beyond["isoMaterial"] = json!(16);
+        let error = draw(beyond).expect_err("no such material");
+        assert_eq!((error.code, error.path.as_str()), (Code::Range, "options.isoMaterial"));
+    }
+}
+
+#[test]
 fn every_refusal_of_a_curve_names_its_field() {
     let edit = |pointer: &str, value: Value| {
         let mut document = rings();

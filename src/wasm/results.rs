@@ -1,6 +1,6 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
-use crate::document::{Diagnostic, DocumentError, Outcome, Solution};
+use crate::document::{Diagnostic, DocumentError, IsoOptions, Outcome, Solution};
 use crate::matching::{Matching, Problem, RulingLine};
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
@@ -224,6 +224,20 @@ pub(super) fn cells(band: &Band, stages: usize) -> Vec<CellResult> {
         fractions: cell.composition.fractions().to_vec(),
     };
     unit_cells(band, stages).into_iter().map(convert).collect()
+}
+
+/// Lines of equal fraction of a band as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of
+/// each point.
+pub(super) fn isolines(band: &Band, options: &IsoOptions) -> Vec<Vec<f64>> {
+    let mut flat = Vec::new();
+    for (k, &level) in options.levels.iter().enumerate() {
+        for line in band.iso_lines(options.material, level) {
+            let mut numbers = vec![k as f64, f64::from(u8::from(line.closed))];
+            line.points.iter().for_each(|point| numbers.extend([point.x, point.y]));
+            flat.push(numbers);
+        }
+    }
+    flat
 }
 
 /// What the band holds at a point, and the nearest ruling line; `None` outside the band or without one.
