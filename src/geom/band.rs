@@ -124,7 +124,9 @@ mod tests {
 
     #[test]
     fn solves_what_was_multiplied_whether_it_wraps_or_not() {
-        for (order, wraps) in [(1, false), (2, true), (5, true), (6, true), (7, true), (40, true), (40, false)] {
+        for (order, wraps) in
+            [(1, false), (2, true), (5, true), (6, true), (7, true), (40, true), (40, false)]
+        {
             let width = 3;
             let mut entries = Vec::new();
             for i in 0..order {

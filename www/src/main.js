@@ -10,13 +10,13 @@ import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
-import { galleryItems, presetDocument, presets } from "./frame/gallery.js";
-import { openMenu } from "./frame/menu.js";
+import { openGallery } from "./frame/gallery.js";
 import { createSheet } from "./frame/sheet.js";
 import { listenToShortcuts } from "./frame/shortcuts.js";
 import { createSpeech } from "./frame/speech.js";
 import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
+import { firstPreset } from "./gallery/first.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
@@ -68,7 +68,7 @@ async function firstDocument(kernel) {
       // Kept by another version of the page that wrote what this one does not read.
     }
   }
-  const { document, ui } = splitView(await completed(kernel, presetDocument(presets[0]?.id ?? "")));
+  const { document, ui } = splitView(await completed(kernel, firstPreset));
   const phone = matchMedia("(width < 600px)").matches;
   const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
   return { document, edited: false, ui: { ...ui, layers } };
@@ -143,11 +143,7 @@ function run(app) {
     handles,
     frameOf(app),
     { render: () => app.tool?.render() },
-    createEmpty(app, {
-      gallery: (button) =>
-        openMenu(galleryItems(app), { label: strings.bar.gallery, box: button.getBoundingClientRect(), button, wide: true }),
-      choose: bar.choose,
-    }),
+    createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose }),
     probe,
     createWitness(app),
     createLegend(app),

@@ -7,6 +7,8 @@
 
 /** Chords of one knot span, unless asked otherwise. At 14 spans the outline is within a pixel of the curve. */
 const CHORDS = 12;
+/** Part of the domain to either side over which a tangent is taken. */
+const NEAR = 1e-4;
 
 /**
  * The full knot vector with the control points it belongs to, repeated for a periodic curve.
@@ -62,6 +64,59 @@ export function outline(curve, chords = CHORDS) {
     }
   }
   return chain;
+}
+
+/**
+ * A place on a curve by its fraction of the knot domain, and the outward unit normal there; at a corner the normal bisects.
+ * @param {Curve} curve
+ * @param {number} fraction
+ * @returns {{at: Point, normal: Point}}
+ */
+export function placeOn(curve, fraction) {
+  const [before, at, after] = [-NEAR, 0, NEAR].map((by) => pointAt(curve, fraction + by));
+  const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+  const length = Math.hypot(dx, dy) || 1;
+  const side = signedArea(outline(curve).map((vertex) => vertex.at)) < 0 ? -1 : 1;
+  return { at, normal: [(side * dy) / length, (-side * dx) / length] };
+}
+
+/**
+ * The fraction of the knot domain of the place on the outline nearest to a point.
+ * @param {Curve} curve
+ * @param {Point} target
+ */
+export function nearestFraction(curve, target) {
+  const { knots, points } = unrolled(curve);
+  const [low, high] = [knots[curve.degree], knots[points.length]];
+  return (nearestParameter(curve, target) - low) / (high - low);
+}
+
+/**
+ * Twice the area of a polygon, positive when it turns counter-clockwise.
+ * @param {Point[]} polygon
+ */
+export function signedArea(polygon) {
+  let area = 0;
+  polygon.forEach(([x, y], i) => {
+    const [nextX, nextY] = polygon[(i + 1) % polygon.length];
+    area += x * nextY - y * nextX;
+  });
+  return area;
+}
+
+/**
+ * @param {Curve} curve
+ * @param {number} fraction of the knot domain, past either end round the seam
+ * @returns {Point}
+ */
+function pointAt(curve, fraction) {
+  const { knots, points } = unrolled(curve);
+  const p = curve.degree;
+  const [low, high] = [knots[p], knots[points.length]];
+  const u = low + (fraction - Math.floor(fraction)) * (high - low);
+  let span = p;
+  while (span < points.length - 1 && knots[span + 1] <= u) span += 1;
+  return deBoor(knots, points, p, span, u);
 }
 
 /**

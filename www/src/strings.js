@@ -177,6 +177,7 @@ export const strings = {
     edited: "Edited",
     saved: "Saved",
     gallery: "Gallery",
+    galleryItem: "Gallery…",
     file: "File",
     export: "Export",
     menu: "Menu",
@@ -428,6 +429,17 @@ export const strings = {
 
   panel: {
     close: "Close",
+  },
+
+  gallery: {
+    heading: "Gallery",
+    topics: {
+      shapes: "Shapes",
+      pockets: "Pockets",
+      measures: "Measures and limits",
+      materials: "Materials",
+    },
+    notMatchable: "No matching",
   },
 
   sheet: {

@@ -6,8 +6,8 @@ use crate::geom::{SegmentGrid, segment_crossing, segments_meet};
 
 /// Longest part of the way, at either end, that may be left out.
 const LONGEST: f64 = 0.15;
-/// How far an end may lie beside the beginning to run along it, in sizes of the stroke (half its diagonal).
-const BESIDE: f64 = 0.06;
+/// How far an end may lie beside the beginning to run along it. The stroke has size one: half its diagonal.
+const BESIDE: f64 = 0.1;
 
 /// What is left of a stroke without what its ends overlap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +22,7 @@ pub(super) struct Joined {
 
 /// Looks for an overlap of the ends of an open list of vertices: a crossing near both of them, or an end that runs on
 /// beside the beginning.
-pub(super) fn overlap(points: &[DVec2], size: f64) -> Option<Joined> {
+pub(super) fn overlap(points: &[DVec2]) -> Option<Joined> {
     let mut arc = vec![0.0];
     for pair in points.windows(2) {
         arc.push(arc[arc.len() - 1] + pair[0].distance(pair[1]));
@@ -35,7 +35,7 @@ pub(super) fn overlap(points: &[DVec2], size: f64) -> Option<Joined> {
     if head + 2 >= tail {
         return None;
     }
-    crossing(points, head, tail).or_else(|| beside(points, head, tail, BESIDE * size))
+    crossing(points, head, tail).or_else(|| beside(points, head, tail))
 }
 
 /// The crossing nearest to the beginning.
@@ -51,22 +51,21 @@ fn crossing(points: &[DVec2], head: usize, tail: usize) -> Option<Joined> {
 
 /// Cuts the end where it is nearest to the first vertex, when the way back to that vertex would turn round and what is cut
 /// lies beside the beginning.
-fn beside(points: &[DVec2], head: usize, tail: usize, distance: f64) -> Option<Joined> {
+fn beside(points: &[DVec2], head: usize, tail: usize) -> Option<Joined> {
     let last = points.len() - 1;
     let first = points[0];
-    let nearest = (tail..=last).min_by(|&a, &b| {
-        points[a].distance_squared(first).total_cmp(&points[b].distance_squared(first))
-    })?;
-    let forward = points[1..=head].iter().find(|p| p.distance(first) > distance / 2.0).map(|p| *p - first)?;
+    let nearest = (tail..=last)
+        .min_by(|&a, &b| points[a].distance_squared(first).total_cmp(&points[b].distance_squared(first)))?;
+    let forward = points[1..=head].iter().find(|p| p.distance(first) > BESIDE / 2.0).map(|p| *p - first)?;
     let turns_round = (first - points[last]).dot(forward) < 0.0;
     let near = |p: DVec2| {
         (0..head).any(|i| {
             let (a, along) = (points[i], points[i + 1] - points[i]);
             let share = ((p - a).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-            p.distance(a + along * share) <= distance
+            p.distance(a + along * share) <= BESIDE
         })
     };
     let cut = &points[nearest + 1..];
-    let joins = turns_round && !cut.is_empty() && points[nearest].distance(first) <= distance;
+    let joins = turns_round && !cut.is_empty() && points[nearest].distance(first) <= BESIDE;
     (joins && cut.iter().all(|&p| near(p))).then_some(Joined { first: 0, last: nearest, crossing: None })
 }

@@ -73,7 +73,9 @@ pub enum FitError {
 impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::TooManyPoints { count, limit } => write!(f, "{count} points were found; expected at most {limit}"),
+            Self::TooManyPoints { count, limit } => {
+                write!(f, "{count} points were found; expected at most {limit}")
+            }
             Self::Point { index, point, limit } => write!(
                 f,
                 "point {index} is {}; expected finite coordinates of at most {} in absolute value",
@@ -84,7 +86,11 @@ impl fmt::Display for FitError {
                 write!(f, "{count} different points were found; expected at least 3")
             }
             Self::Flat { at } => {
-                write!(f, "all points lie on one line through {}; expected points around an area", ShownPlace(at))
+                write!(
+                    f,
+                    "all points lie on one line through {}; expected points around an area",
+                    ShownPlace(at)
+                )
             }
             Self::Tolerance { tolerance } => {
                 write!(f, "{} was found; expected a finite number above 0", Shown(tolerance))

@@ -21,12 +21,14 @@ use super::closed_bspline::{ClosedBSpline, Form};
 use crate::geom::first_self_contact;
 use distance::distance;
 pub use error::FitError;
-use outline::Outline;
 pub use outline::MOST_POINTS;
+use outline::Outline;
 use polyline::Polyline;
 use section::{Effort, Section};
 use spline::{Knots, Spline};
 
+/// Most times that the ends are cut where they overlap.
+const MOST_CUTS: usize = 4;
 /// Most control points of a curve.
 const MOST_CONTROLS: usize = 2000;
 /// Corners nearer to each other than this, as a share of the whole way, are one.
@@ -142,19 +144,27 @@ pub fn fit(points: &[DVec2], options: &FitOptions) -> Result<Fit, FitError> {
 
 /// Leaves out what the ends overlap; returns the indices of the points left out.
 fn trim(outline: &mut Outline, options: &FitOptions) -> Vec<usize> {
-    if options.through || options.ends == EndRule::Join || outline.repeats_first || options.corner_indices.is_some() {
+    if options.through
+        || options.ends == EndRule::Join
+        || outline.repeats_first
+        || options.corner_indices.is_some()
+    {
         return Vec::new();
     }
-    let Some(joined) = ends::overlap(&outline.points, 1.0) else { return Vec::new() };
-    let mut left_out = outline.indices[..joined.first].to_vec();
-    left_out.extend(&outline.indices[joined.last + 1..]);
-    outline.points = outline.points[joined.first..=joined.last].to_vec();
-    outline.indices = outline.indices[joined.first..=joined.last].to_vec();
-    if let Some(place) = joined.crossing {
-        let (first, last) = (outline.points[0], outline.points[outline.points.len() - 1]);
-        if place.distance(first).min(place.distance(last)) > 1e-9 {
-            outline.points.insert(0, place);
-            outline.indices.insert(0, outline.indices[0]);
+    let mut left_out = Vec::new();
+    // Jitter may make ends that run along each other cross several times.
+    for _ in 0..MOST_CUTS {
+        let Some(joined) = ends::overlap(&outline.points) else { break };
+        left_out.extend(&outline.indices[..joined.first]);
+        left_out.extend(&outline.indices[joined.last + 1..]);
+        outline.points = outline.points[joined.first..=joined.last].to_vec();
+        outline.indices = outline.indices[joined.first..=joined.last].to_vec();
+        if let Some(place) = joined.crossing {
+            let (first, last) = (outline.points[0], outline.points[outline.points.len() - 1]);
+            if place.distance(first).min(place.distance(last)) > outline::SAME {
+                outline.points.insert(0, place);
+                outline.indices.insert(0, outline.indices[0]);
+            }
         }
     }
     left_out
@@ -188,9 +198,8 @@ fn keep_apart(points: &[DVec2], corners: &mut Vec<usize>) {
     let line = Polyline::new(points.iter().chain(&points[..1]).copied().collect());
     let apart = SAME_CORNER * line.length();
     corners.dedup_by(|b, a| line.arc[*b] - line.arc[*a] < apart);
-    let around = |corners: &[usize]| {
-        line.arc[corners[0]] + line.length() - line.arc[corners[corners.len() - 1]]
-    };
+    let around =
+        |corners: &[usize]| line.arc[corners[0]] + line.length() - line.arc[corners[corners.len() - 1]];
     while corners.len() > 1 && around(corners) < apart {
         corners.pop();
     }
@@ -226,7 +235,9 @@ impl Task<'_> {
         let mut error = 0.0_f64;
         for line in &lines {
             let least = if closed { 0 } else { 2 };
-            let Some(most) = room.checked_sub(least).filter(|&most| most > 0) else { return Err(out_of_reach) };
+            let Some(most) = room.checked_sub(least).filter(|&most| most > 0) else {
+                return Err(out_of_reach);
+            };
             let (spline, gap) = if self.through {
                 let (spline, parameters) = through::through(line, closed).ok_or(out_of_reach)?;
                 let gap = distance(&spline, line, &parameters).largest;
@@ -256,9 +267,8 @@ impl Task<'_> {
             return vec![Polyline::new(ring)];
         };
         let next = self.corners[1..].iter().copied().chain([first + count]);
-        let stretch = |(from, to): (&usize, usize)| {
-            Polyline::new((*from..=to).map(|k| points[k % count]).collect())
-        };
+        let stretch =
+            |(from, to): (&usize, usize)| Polyline::new((*from..=to).map(|k| points[k % count]).collect());
         self.corners.iter().zip(next).map(stretch).collect()
     }
 
@@ -284,9 +294,8 @@ impl Task<'_> {
         domain[end + 1 - times..].fill(1.0);
         let curve = if control.len() == 3 {
             // The cubic through three points; one more knot makes it a curve of four.
-            let widest = (0..3).max_by(|&a, &b| {
-                (domain[a + 1] - domain[a]).total_cmp(&(domain[b + 1] - domain[b]))
-            });
+            let widest =
+                (0..3).max_by(|&a, &b| (domain[a + 1] - domain[a]).total_cmp(&(domain[b + 1] - domain[b])));
             let widest = widest.unwrap_or(0);
             let middle = (domain[widest] + domain[widest + 1]) / 2.0;
             let knots = super::knots::extend_periodically(3, &domain);

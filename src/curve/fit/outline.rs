@@ -10,7 +10,7 @@ pub const MOST_POINTS: usize = 20_000;
 /// Largest absolute value of a coordinate, that of curves.
 const LARGEST_COORDINATE: f64 = 1e12;
 /// Points closer than this, in sizes of the whole, are one.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 /// Points within this distance of a line, in sizes of the whole, are on it.
 const FLAT: f64 = 1e-9;
 
@@ -87,7 +87,8 @@ impl Outline {
 /// Whether points lie on one line.
 fn is_flat(points: &[DVec2]) -> bool {
     let first = points[0];
-    let farther = |a: DVec2, b: DVec2| if b.distance_squared(first) > a.distance_squared(first) { b } else { a };
+    let farther =
+        |a: DVec2, b: DVec2| if b.distance_squared(first) > a.distance_squared(first) { b } else { a };
     let along = (points.iter().copied().fold(first, farther) - first).normalize_or_zero();
     points.iter().all(|p| along.perp_dot(*p - first).abs() <= FLAT)
 }

@@ -18,13 +18,13 @@ const FEWEST_CLOSED: usize = 4;
 /// Shortest span, as a share of the whole curve: far above the distance at which knots merge.
 const SHORTEST: f64 = 1e-8;
 /// Corrections of the parameters in one fit, each followed by another solution.
-const CORRECTIONS: usize = 2;
+const CORRECTIONS: usize = 3;
 /// Parameters are corrected only when the spline is near its polyline, in tolerances; else points are drawn to wrong places.
 const NEAR: f64 = 16.0;
 /// Least share of the mean that every span has in the density of the knots.
-const FLOOR: f64 = 0.02;
-/// Most trials of removing knots.
-const TRIALS: usize = 24;
+const FLOOR: f64 = 0.05;
+/// Most times that the knots are spread.
+const SPREADS: usize = 3;
 /// Rounds of halving after which a tolerance counts as out of reach.
 const ROUNDS: usize = 48;
 
@@ -155,40 +155,60 @@ impl Section<'_> {
         (2 * CORRECTIONS + 1) * fitted.nodes.0.len() + 4 * self.line.points.len()
     }
 
-    /// Spreads the knots by the density, over as few spans as reach the tolerance; halves the interval of their number.
+    /// Spreads the knots by the density, over as few spans as reach the tolerance, and again by the density that this gives.
     fn spread(&self, grown: Fitted, effort: &mut Effort) -> Fitted {
-        let density = density(&grown.spline);
-        let (mut low, mut high) = (self.fewest(), grown.spline.pieces.len());
-        let mut best = grown.clone();
-        while low < high {
-            // Half the spans is where a fit after halving mostly ends.
-            let spans = (low + high) / 2;
-            if !effort.spend(self.cost(&grown)) {
+        let mut best = grown;
+        for _ in 0..SPREADS {
+            let before = best.spline.pieces.len();
+            best = self.spread_once(best, effort);
+            if best.spline.pieces.len() == before {
                 break;
             }
-            match self.reaches(equal_shares(&grown.spline.knots.breaks, &density, spans), &grown.nodes) {
-                Some(fitted) => {
-                    best = fitted;
-                    high = spans;
-                }
+        }
+        best
+    }
+
+    /// Halves the interval of the number of spans, spread by a density, that reach the tolerance.
+    fn spread_once(&self, start: Fitted, effort: &mut Effort) -> Fitted {
+        let fine = self.halved(&start);
+        let reference = fine.as_ref().unwrap_or(&start.spline);
+        let density = density(reference);
+        let (mut low, mut high) = (self.fewest(), start.spline.pieces.len());
+        let mut best = start.clone();
+        while low < high && effort.spend(self.cost(&start)) {
+            let spans = (low + high) / 2;
+            match self.reaches(equal_shares(&reference.knots.breaks, &density, spans), &best.nodes) {
+                Some(fitted) => (best, high) = (fitted, spans),
                 None => low = spans + 1,
             }
         }
         best
     }
 
+    /// The spline with every span halved: its third derivative tells the fourth one more truly.
+    fn halved(&self, fitted: &Fitted) -> Option<Spline> {
+        let mut breaks = vec![0.0];
+        for pair in fitted.spline.knots.breaks.windows(2) {
+            breaks.extend([pair[0] + (pair[1] - pair[0]) / 2.0, pair[1]]);
+        }
+        let knots = self.knots(breaks);
+        least_squares(&knots, &fitted.nodes.spread(self.line, &knots))
+    }
+
     /// Takes knots out while the tolerance allows, several at a time, those first that matter least.
     fn thin(&self, mut best: Fitted, effort: &mut Effort) -> Fitted {
         let mut at_once = best.spline.pieces.len() / 4;
-        for _ in 0..TRIALS {
-            let spans = best.spline.pieces.len();
-            at_once = at_once.min(spans - self.fewest());
-            if at_once == 0 || !effort.spend(self.cost(&best)) {
+        let mut needed: Vec<f64> = Vec::new();
+        while best.spline.pieces.len() > self.fewest() && effort.spend(self.cost(&best)) {
+            at_once = at_once.clamp(1, best.spline.pieces.len() - self.fewest());
+            let gone = least(&best.spline, at_once, &needed);
+            if gone.is_empty() {
                 break;
             }
-            let breaks = without_least(&best.spline, at_once);
+            let breaks = best.spline.knots.breaks.iter().copied().filter(|u| !gone.contains(u)).collect();
             match self.reaches(breaks, &best.nodes) {
                 Some(fitted) => best = fitted,
+                None if at_once == 1 => needed.extend(gone),
                 None => at_once /= 2,
             }
         }
@@ -212,7 +232,14 @@ fn density(spline: &Spline) -> Vec<f64> {
     let length = spline.knots.length();
     let mean = roots.iter().enumerate().map(|(span, root)| root * width(span)).sum::<f64>() / length;
     let floor = if mean > 0.0 { FLOOR * mean } else { 1.0 };
-    roots.iter().map(|root| root + floor).collect()
+    let smooth = |span: usize| {
+        let (before, after) = match closed {
+            true => ((span + count - 1) % count, (span + 1) % count),
+            false => (span.saturating_sub(1), (span + 1).min(count - 1)),
+        };
+        (roots[before] + 2.0 * roots[span] + roots[after]) / 4.0
+    };
+    (0..count).map(|span| smooth(span) + floor).collect()
 }
 
 /// Breaks of `spans` spans over which a density, constant between the given breaks, is spread evenly.
@@ -233,25 +260,26 @@ fn equal_shares(breaks: &[f64], density: &[f64], spans: usize) -> Vec<f64> {
     result
 }
 
-/// The breaks without the `count` ones whose removal changes the spline least; neighbours are not taken together.
+/// The `count` inner breaks whose removal changes the spline least, but for those that are needed; no two are neighbours.
 ///
 /// A jump J of the third derivative between spans of lengths a and b is worth about J (a b / (a + b))^3.
-fn without_least(spline: &Spline, count: usize) -> Vec<f64> {
+fn least(spline: &Spline, count: usize, needed: &[f64]) -> Vec<f64> {
     let breaks = &spline.knots.breaks;
-    let worth = |i: usize, jump: f64| {
-        let (a, b) = (breaks[i] - breaks[i - 1], breaks[i + 1] - breaks[i]);
-        jump * (a * b / (a + b)).powi(3)
-    };
     let jumps = spline.jumps();
-    let mut order: Vec<(usize, f64)> = (1..breaks.len() - 1).map(|i| (i, worth(i, jumps[i]))).collect();
+    let worth = |i: usize| {
+        let (a, b) = (breaks[i] - breaks[i - 1], breaks[i + 1] - breaks[i]);
+        jumps[i] * (a * b / (a + b)).powi(3)
+    };
+    let inner = (1..breaks.len() - 1).filter(|&i| !needed.contains(&breaks[i]));
+    let mut order: Vec<(usize, f64)> = inner.map(|i| (i, worth(i))).collect();
     order.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut gone = vec![false; breaks.len()];
-    let mut left = count;
+    let mut result = Vec::new();
     for (i, _) in order {
-        if left > 0 && !gone[i - 1] && !gone[i + 1] {
+        if result.len() < count && !gone[i - 1] && !gone[i + 1] {
             gone[i] = true;
-            left -= 1;
+            result.push(breaks[i]);
         }
     }
-    breaks.iter().zip(&gone).filter(|(_, gone)| !**gone).map(|(&u, _)| u).collect()
+    result
 }

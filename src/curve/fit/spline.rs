@@ -167,7 +167,8 @@ mod tests {
 
     #[test]
     fn pieces_and_basis_are_those_of_the_checked_curve() {
-        let points: Vec<_> = (0..6).map(|k| DVec2::from_angle(f64::from(k)) * (1.0 + 0.3 * f64::from(k % 2))).collect();
+        let points: Vec<_> =
+            (0..6).map(|k| DVec2::from_angle(f64::from(k)) * (1.0 + 0.3 * f64::from(k % 2))).collect();
         let breaks = vec![0.0, 0.1, 0.35, 0.4, 0.7, 0.85, 1.0];
         let curve = ClosedBSpline::new(3, Form::Periodic, points.clone(), Some(breaks.clone())).unwrap();
         let spline = Spline::new(Knots::new(breaks, true), points);
@@ -184,7 +185,10 @@ mod tests {
             let sum = (0..4).map(|j| spline.control[spline.knots.control(span, j)] * basis[j]).sum::<DVec2>();
             assert!(sum.distance(value) < 1e-14);
             let part = spline.pieces[span].part(u, spline.pieces[span].hi);
-            assert!(part[0].distance(value) < 1e-14 && part[3].distance(curve.point(spline.pieces[span].hi)) < 1e-14);
+            assert!(
+                part[0].distance(value) < 1e-14
+                    && part[3].distance(curve.point(spline.pieces[span].hi)) < 1e-14
+            );
         }
     }
 

@@ -12,7 +12,7 @@ import { exportAs } from "../files/export.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
-import { galleryItems } from "./gallery.js";
+import { openGallery } from "./gallery.js";
 import { mark } from "./mark.js";
 import { attachMenu } from "./menu.js";
 import { toggleTheme } from "./theme.js";
@@ -49,6 +49,7 @@ export function createBar(app) {
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
+  gallery.addEventListener("click", () => void openGallery(app));
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
 
@@ -59,13 +60,12 @@ export function createBar(app) {
       text: strings.exports[kind],
       act: () => void exportAs(app, kind),
     }));
-  attachMenu(gallery, () => galleryItems(app), { wide: true });
   attachMenu(file, () => fileItems(app, choose));
   attachMenu(exporting, exportItems);
   attachMenu(
     menu,
     () => [
-      ...galleryItems(app),
+      { name: "gallery", text: words.galleryItem, act: () => void openGallery(app) },
       "line",
       ...fileItems(app, choose),
       "line",

@@ -10,7 +10,7 @@ import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
 import { icon } from "../icons.js";
 import { curveName } from "../state/app.js";
-import { addMaterial, assignMaterial, changeMaterial, holds, MATERIAL_LIMIT, removeMaterial } from "../state/edits.js";
+import { addMaterial, assignMaterial, changeMaterial, holds, MATERIAL_LIMIT, removeMaterial } from "../state/materials.js";
 import { inSentence, strings } from "../strings.js";
 import { compositionStrip } from "./composition.js";
 

@@ -9,14 +9,14 @@ import { strings } from "../strings.js";
 
 /**
  * @param {App} app
- * @param {{gallery: (button: HTMLButtonElement) => void, choose: () => void}} acts
+ * @param {{gallery: () => void, choose: () => void}} acts
  */
 export function createEmpty(app, { gallery, choose }) {
   const words = strings.empty;
   /** @type {(name: string, text: string, act: () => void) => HTMLButtonElement} */
   const button = (name, text, act) =>
     h("button", { type: "button", class: name === "draw" ? "solid" : "outlined", "data-empty": name, onclick: act }, text);
-  const presets = button("gallery", words.gallery, () => gallery(presets));
+  const presets = button("gallery", words.gallery, gallery);
   const element = h(
     "div",
     { class: "empty", "data-furniture": "", hidden: true },

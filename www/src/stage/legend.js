@@ -9,7 +9,7 @@ import { percent } from "../format.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
-import { holds } from "../state/edits.js";
+import { holds } from "../state/materials.js";
 
 /** Strips shown at most. */
 const STRIPS = 3;

@@ -1,12 +1,9 @@
 /**
  * Edits as pure functions from one document to the next.
  *
- * @import { Curve, CurvesDocument, Matching, Point, Sampling, Blend, Material } from "../types.js"
+ * @import { Curve, CurvesDocument, Matching, Point, Sampling, Blend } from "../types.js"
  */
 import { dropKnot } from "../spline.js";
-
-/** Most materials the format allows. */
-export const MATERIAL_LIMIT = 16;
 
 /**
  * Control points that have a handle: a clamped curve repeats its first point at the end, and both share one.
@@ -118,71 +115,6 @@ function withoutPoint(curve, point) {
  */
 export function patch(document, part, patch) {
   return { ...document, [part]: { ...document[part], ...patch } };
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {number} index
- * @param {Partial<Material>} change
- * @returns {CurvesDocument}
- */
-export function changeMaterial(document, index, change) {
-  const materials = document.materials.map((material, i) => (i === index ? { ...material, ...change } : material));
-  return { ...document, materials };
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {Material} material
- * @returns {CurvesDocument}
- */
-export function addMaterial(document, material) {
-  if (document.materials.length >= MATERIAL_LIMIT) return document;
-  return withMixes({ ...document, materials: [...document.materials, material] }, (mix) => [...mix, 0]);
-}
-
-/**
- * Takes a material away that no curve holds; otherwise the document stays as it is.
- * @param {CurvesDocument} document
- * @param {number} index
- */
-export function removeMaterial(document, index) {
-  if (document.materials.length < 2 || document.curves.some((curve) => holds(curve, index))) return document;
-  const materials = document.materials.filter((_, i) => i !== index);
-  return withMixes({ ...document, materials }, (mix) => mix.filter((_, i) => i !== index));
-}
-
-/**
- * Gives the whole of a curve one material.
- * @param {CurvesDocument} document
- * @param {number} index
- * @param {number} material
- */
-export function assignMaterial(document, index, material) {
-  const mix = document.materials.map((_, i) => (i === material ? 1 : 0));
-  return changeCurve(document, index, (curve) => ({ ...curve, composition: [{ at: 0, mix }] }));
-}
-
-/**
- * Whether some place of the curve holds some of the material.
- * @param {Curve} curve
- * @param {number} material
- */
-export function holds(curve, material) {
-  return curve.composition.some((key) => (key.mix[material] ?? 0) > 0);
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {(mix: number[]) => number[]} change
- * @returns {CurvesDocument}
- */
-function withMixes(document, change) {
-  const curves = document.curves.map((curve) => ({
-    ...curve,
-    composition: curve.composition.map((key) => ({ ...key, mix: change(key.mix) })),
-  }));
-  return { ...document, curves };
 }
 
 /**
