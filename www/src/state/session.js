@@ -13,7 +13,7 @@
 
 /** Milliseconds of rest before the work is kept. */
 const PAUSE = 800;
-const VERSION = 1;
+const VERSION = 2;
 
 /** @returns {Session | null} */
 export function restore() {
@@ -29,7 +29,7 @@ export function keep(app) {
   let timer;
   const write = () => {
     clearTimeout(timer);
-    const { selection, view, fitted, fitScale, layers, s, open, tab } = app.ui.value;
+    const { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
@@ -37,7 +37,7 @@ export function keep(app) {
           document: app.store.document,
           edited: app.store.edited,
           kept: app.keeper.kept(),
-          ui: { selection, view, fitted, fitScale, layers, s, open, tab },
+          ui: { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
         },
         "",
       );
