@@ -1,0 +1,65 @@
+/** Tables written and read back. */
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { load } from "directrix";
+import { linesCsv, stagesCsv } from "../../www/src/files/csv.js";
+
+const dx = await load({ module: "figure" });
+const amoeba = JSON.parse(await readFile(new URL("../../www/presets/amoeba.json", import.meta.url), "utf8"));
+
+/**
+ * Rows by the names of the columns.
+ * @param {string} text
+ * @returns {{[column: string]: string}[]}
+ */
+function read(text) {
+  assert.ok(text.endsWith("\n"));
+  const [head, ...rows] = text.slice(0, -1).split("\n").map((line) => line.split(","));
+  return rows.map((cells) => {
+    assert.equal(cells.length, head.length);
+    return Object.fromEntries(cells.map((cell, i) => [head[i], cell]));
+  });
+}
+
+test("ruling lines come back with every digit, and agree with the probe", () => {
+  const document = { ...amoeba, curves: [amoeba.curves[0], { ...amoeba.curves[1], height: 7 }] };
+  const match = dx.match(document);
+  const rows = read(linesCsv(match, 7));
+  assert.equal(rows.length, match.lines.length);
+  rows.forEach((row, i) => {
+    const { from, to, value, visible } = match.lines[i];
+    const [first, second] = match.samples;
+    assert.equal(row.line, String(i));
+    assert.deepEqual([Number(row.u), Number(row.v)], [first.parameters[from], second.parameters[to]]);
+    assert.deepEqual([row.x1, row.y1, row.x2, row.y2].map(Number), [...first.points[from], ...second.points[to]]);
+    assert.equal(Number(row.value), value);
+    assert.equal(row.visible, String(visible));
+    // The value is c / d² here, so that cosine and length can be checked against it.
+    assert.ok(Math.abs(Number(row.cosine) / Number(row.length) ** 2 / value - 1) < 1e-12);
+  });
+  const place = dx.probe(document, [45, 0]);
+  assert.ok(place);
+  const row = rows[place.line];
+  assert.ok(Math.abs(Number(row.cosine) - place.cosine) < 1e-14);
+  assert.ok(Math.abs(Number(row.length) - place.length) < 1e-12);
+});
+
+test("one-to-one pairs take the place of the lines", () => {
+  const match = dx.match(amoeba);
+  const pairs = [
+    { u: 0.1 + 0.2, v: 1 / 3, value: 1e-300, verified: true, from: /** @type {[number, number]} */ ([0, 0]), to: /** @type {[number, number]} */ ([3, 4]) },
+    { u: 0.5, v: 0.6, value: -2.5e-7, verified: false },
+  ];
+  const [first, second] = read(linesCsv({ ...match, pairs }, 12));
+  assert.deepEqual([first.u, first.v, first.value].map(Number), [0.1 + 0.2, 1 / 3, 1e-300]);
+  assert.deepEqual([first.length, first.verified, first.cosine], ["13", "true", ""]);
+  assert.deepEqual([second.x1, second.length, second.verified, second.value], ["", "", "false", "-2.5e-7"]);
+});
+
+test("stages come back point by point", () => {
+  const stages = dx.stages(amoeba, { refine: 2 });
+  const rows = read(stagesCsv(stages)).map(({ stage, s, x, y }) => [stage, s, x, y].map(Number));
+  assert.deepEqual(rows, stages.flatMap(({ s, points }, i) => points.map(([x, y]) => [i, s, x, y])));
+  assert.equal(stagesCsv([]), "stage,s,x,y\n");
+});
