@@ -36,8 +36,16 @@ struct LineResult {
 
 #[derive(Serialize)]
 struct TotalsResult {
+    growth: Option<GrowthTotals>,
     lines: Option<LineTotals>,
     pairs: Option<LineTotals>,
+}
+
+/// The lines that the growth accepted, before redundant ones are removed.
+#[derive(Serialize)]
+struct GrowthTotals {
+    count: usize,
+    sum: f64,
 }
 
 #[derive(Serialize)]
@@ -136,7 +144,11 @@ impl MatchResult {
             reparameterisation: solution
                 .band()
                 .map_or_else(Vec::new, |band| band.lines().map(|ruling| [ruling.u, ruling.v]).collect()),
-            totals: TotalsResult { lines: matched.map(|(_, matching)| line_totals(matching)), pairs: None },
+            totals: TotalsResult {
+                growth: matched.map(|(_, matching)| growth_totals(matching)),
+                lines: matched.map(|(_, matching)| line_totals(matching)),
+                pairs: None,
+            },
         })
     }
 }
@@ -149,6 +161,11 @@ fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
         .iter()
         .map(|line| LineResult { from: line.from, to: line.to, value: line.value, visible: visible(line) })
         .collect()
+}
+
+fn growth_totals(matching: &Matching) -> GrowthTotals {
+    let growth = &matching.growth;
+    GrowthTotals { count: growth.len(), sum: growth.iter().map(|line| line.value).sum() }
 }
 
 fn line_totals(matching: &Matching) -> LineTotals {
