@@ -251,6 +251,51 @@ fn band_of_an_annulus_has_its_radii_and_fractions() {
 }
 
 #[test]
+fn iso_lines_of_every_preset_have_their_fraction_and_are_drawn() {
+    for Preset { id, text, .. } in presets() {
+        let solution = Solve::run(read_text(&text).expect("a valid document")).expect("valid curves");
+        let Some(band) = solution.band() else { continue };
+        let mut met = 0;
+        for material in 0..solution.model.materials().len() {
+            for tenth in 1..10 {
+                let level = f64::from(tenth) / 10.0;
+                for line in band.iso_lines(material, level) {
+                    met += 1;
+                    for point in line.points {
+                        let place = band.locate(point).expect("in the band");
+                        let fraction = place.composition.fractions()[material];
+                        assert!((fraction - level).abs() < 1e-6, "{id}: {fraction} for {level}");
+                    }
+                }
+            }
+        }
+        assert!(met >= 9, "{id}: {met} lines");
+        let draw = |options: Value| {
+            let options =
+                PictureOptions::read(&Json::parse(&options.to_string()).expect("JSON")).expect("valid");
+            options.check(&solution.model)?;
+            let viewport = options.viewport(&solution.model);
+            let list = figure(&solution, &options.figure(&solution.model), &viewport);
+            Ok::<_, DocumentError>((
+                to_svg(&list, &viewport, "", ""),
+                paint(&list, &viewport).expect("a picture"),
+            ))
+        };
+        let size = json!({"width": 300, "height": 240, "layers": ["material", "isoComposition"]});
+        let (svg, pixels) = draw(size.clone()).expect("valid");
+        assert!(svg.contains("id=\"layer-iso-composition\""), "{id}");
+        let mut plain = size.clone();
+        plain["layers"] = json!(["material"]);
+        let (bare, without) = draw(plain).expect("valid");
+        assert!(!bare.contains("iso-composition") && pixels != without, "{id}");
+        let mut beyond = size;
+        beyond["isoMaterial"] = json!(16);
+        let error = draw(beyond).expect_err("no such material");
+        assert_eq!((error.code, error.path.as_str()), (Code::Range, "options.isoMaterial"));
+    }
+}
+
+#[test]
 fn every_refusal_of_a_curve_names_its_field() {
     let edit = |pointer: &str, value: Value| {
         let mut document = rings();
@@ -334,6 +379,30 @@ fn geometry_that_cannot_be_matched_is_explained() {
     assert_eq!(codes(&matched(&coarse).expect("valid")), ["coarse-sampling"]);
     coarse["sampling"] = json!({"counts": [60, 60]});
     assert!(matched(&coarse).expect("valid").is_complete(), "finer samples mend it");
+}
+
+#[test]
+fn adaptive_samples_are_as_many_as_the_shape_needs() {
+    let count = |sampling: Value| {
+        let mut document = rings();
+        document["sampling"] = sampling;
+        let solution = matched(&document).expect("valid");
+        let limits = codes(&solution).iter().filter(|&&code| code == "sample-limit").count();
+        assert!(solution.is_complete(), "{:?}", solution.diagnostics);
+        let counts: Vec<usize> = solution.model.samples().iter().map(|s| s.points.len()).collect();
+        (counts, limits)
+    };
+    // The turn decides on round curves: 360 / 24 is 15 degrees, give or take the waves of the spline.
+    assert_eq!(count(json!({"scheme": "adaptive", "maxTurn": 16, "tolerance": 1})), (vec![24, 24], 0));
+    assert_eq!(
+        count(json!({"scheme": "adaptive", "maxTurn": 90, "tolerance": 9, "minCount": 20})),
+        (vec![20, 20], 0)
+    );
+    // Chords of 30 degrees lie 1.02 inside the larger ring and a third of that inside the smaller one.
+    assert_eq!(count(json!({"scheme": "adaptive", "maxTurn": 90, "tolerance": 0.5})), (vec![12, 24], 0));
+    assert_eq!(count(json!({"scheme": "adaptive", "tolerance": 1e-9})), (vec![1000, 1000], 2));
+    let counts = json!({"scheme": "adaptive", "maxTurn": 16, "tolerance": 1, "counts": [5, 900]});
+    assert_eq!(count(counts), (vec![24, 24], 0), "counts are those of the other schemes");
 }
 
 #[test]
@@ -477,7 +546,8 @@ fn mutate(document: &mut Value, pick: usize, value: Value) {
 #[test]
 fn mutated_documents_never_panic() {
     let mut full: Value = rings();
-    full["sampling"] = json!({"scheme": "parameter", "counts": [9, 11]});
+    full["sampling"] =
+        json!({"scheme": "adaptive", "counts": [9, 11], "tolerance": 1, "maxTurn": 40, "minCount": 9});
     full["blend"] = json!({"kind": "ruled", "stages": 3});
     full["view"] =
         json!({"s": 0.5, "center": [0, 0], "span": 90, "layers": ["grid", "normals", "value", "unitCells"]});

@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Item } from "./menu.js"
  */
+import { commandText, commandTitle } from "../commands.js";
 import { textField } from "../controls/text-field.js";
 import { find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
@@ -34,8 +35,8 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
-  const undo = iconButton("undo", icon("undo"), words.undo);
-  const redo = iconButton("redo", icon("redo"), words.redo);
+  const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
+  const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
   const theme = iconButton("theme", halfDisc(), words.toDark);
   const gallery = wordButton("gallery", words.gallery);
   const file = wordButton("file", words.file);
@@ -43,6 +44,8 @@ export function createBar(app) {
   const menu = iconButton("menu", icon("menu"), words.menu);
   const panel = iconButton("panel", icon("panel"), words.panel);
 
+  undo.title = commandTitle(app, "undo");
+  redo.title = commandTitle(app, "redo");
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
