@@ -156,7 +156,12 @@ export interface Match {
   pairs: Pair[];
   /** Parameters [u, v] of every line, or pair where there are pairs, ascending beyond the ends of their domains; empty unless `ok`. */
   reparameterisation: [number, number][];
-  totals: { lines: LineTotals | null; pairs: LineTotals | null };
+  totals: {
+    /** Every line that the growth accepted, before redundant ones are removed. */
+    growth: { count: number; sum: number } | null;
+    lines: LineTotals | null;
+    pairs: LineTotals | null;
+  };
 }
 
 /** A closed polyline at the share s of the way from curve 1 to curve 2. */

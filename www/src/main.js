@@ -40,9 +40,6 @@ import { keep, restore } from "./state/session.js";
 import { Store } from "./state/store.js";
 import { strings } from "./strings.js";
 
-/** Layers a phone leaves out at first: at its scale the dots run into each other. */
-const CROWDED = "samples";
-
 const root = document.documentElement;
 
 /** @returns {Promise<void>} */
@@ -71,9 +68,7 @@ async function firstDocument(kernel) {
     }
   }
   const { document, ui } = splitView(await completed(kernel, firstPreset));
-  const phone = matchMedia("(width < 600px)").matches;
-  const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
-  return { document, edited: false, ui: { ...ui, layers } };
+  return { document, edited: false, ui };
 }
 
 /**
