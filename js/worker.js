@@ -5,6 +5,9 @@ import { toText } from "./text.js";
 /** Milliseconds of work between two looks at the mailbox. */
 const BUDGET = 12;
 
+/** Functions that do not ask for the solution of a document. */
+const UNSOLVED = new Set(["defaults", "fit", "insertPoint", "readShapes", "fitCurve"]);
+
 /** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
 
 const scope = /** @type {any} */ (globalThis);
@@ -62,7 +65,7 @@ async function work() {
  * @param {Call} call
  */
 async function solve(dx, call) {
-  if (call.name === "defaults" || call.name === "fit" || call.name === "insertPoint") return;
+  if (UNSOLVED.has(call.name)) return;
   call.args[0] = toText(call.args[0]);
   const job = dx.job(call.args[0]);
   for (let state = job.step(BUDGET); !state.done && current === call.id; state = job.step(BUDGET)) {
