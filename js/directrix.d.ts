@@ -40,7 +40,8 @@ export type LayerName =
   | "controlPoints"
   | "normals"
   | "grid"
-  | "value";
+  | "value"
+  | "isoComposition";
 
 /** A curves document; docs/format.md defines every field. */
 export interface CurvesDocument {
@@ -49,8 +50,19 @@ export interface CurvesDocument {
   title?: string;
   unit?: string;
   materials?: Material[];
+  /** Two; fewer while they are being drawn. */
   curves: Curve[];
-  sampling?: { scheme?: "parameter" | "arc-length" | "adaptive"; counts?: [number, number] };
+  sampling?: {
+    scheme?: "parameter" | "arc-length" | "adaptive";
+    /** Samples of each curve; adaptive samples ignore it. */
+    counts?: [number, number];
+    /** Of adaptive samples: greatest distance of a curve from the chords. */
+    tolerance?: number;
+    /** Of adaptive samples: degrees. */
+    maxTurn?: number;
+    /** Of adaptive samples: fewest of each curve. */
+    minCount?: number;
+  };
   matching: {
     method: "exact" | "greedy" | "one-per-vertex" | "shift" | "parameter";
     normalWeight?: number;
@@ -63,7 +75,7 @@ export interface CurvesDocument {
     printed?: string[];
   };
   blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
-  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number };
+  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number };
 }
 
 /** A document as an object, or its JSON text. */
@@ -71,7 +83,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -120,9 +132,10 @@ export interface Match {
   /** Whether every sample has a line, none cross and none is blocked. */
   ok: boolean;
   diagnostics: Diagnostic[];
-  /** Which curves were drawn clockwise; on those u becomes lo + hi - u. */
-  reversed: [boolean, boolean];
-  samples: [Samples, Samples];
+  /** Of each curve that is there: whether it was drawn clockwise; on those u becomes lo + hi - u. */
+  reversed: boolean[];
+  /** Of each curve that is there. */
+  samples: Samples[];
   /** In cyclic order. */
   lines: Line[];
   /** One-to-one pairs; empty in this release. */
@@ -145,6 +158,22 @@ export interface UnitCell {
   corners: [Point, Point, Point, Point];
   /** Mean fraction of each material. */
   fractions: number[];
+}
+
+/** The lines that part the places with at least a fraction of one material from the others. */
+export interface Isoline {
+  level: number;
+  /** Polylines; a closed one does not repeat its first point, an open one ends on the curves. */
+  lines: Point[][];
+  /** Whether each of the lines is closed. */
+  closed: boolean[];
+}
+
+export interface IsolineOptions {
+  /** Index of the material whose fraction has the levels. Default 0. */
+  material?: number;
+  /** 1 to 100 fractions, 0 to 1. Default: every tenth, 0.1 to 0.9. */
+  levels?: number[];
 }
 
 /** What the band holds at a point. */
@@ -193,6 +222,8 @@ export interface PictureOptions extends PictureSize {
   s?: number | null;
   /** Index of a ruling line to lift out. */
   line?: number | null;
+  /** Index of the material whose lines of equal fraction the layer `isoComposition` shows. Default: the document's, else 0. */
+  isoMaterial?: number | null;
 }
 
 /** Straight RGBA pixels, row by row from the top. */
@@ -203,10 +234,19 @@ export interface Picture {
   view: View;
 }
 
-/** The solution of a document in steps, for hosts that must stay responsive. */
+/** How far a job has come. */
+export interface Progress {
+  /** The share done, 0 to 1. */
+  progress: number;
+  done: boolean;
+  /** Of a job that paints, when it is done. */
+  picture?: Picture;
+}
+
+/** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
 export interface Job {
   /** Works for about so many milliseconds. When done, the other functions answer from the result. */
-  step(budget: number): { progress: number; done: boolean };
+  step(budget: number): Progress;
 }
 
 /** A closed outline that was read; y up. */
@@ -265,6 +305,8 @@ export interface Directrix {
   match(document: DocumentInput): Match;
   stages(document: DocumentInput, options?: { refine?: number }): Stage[];
   cells(document: DocumentInput): UnitCell[];
+  /** One entry for each level, in the order asked for; empty unless the matching is complete. */
+  isolines(document: DocumentInput, options?: IsolineOptions): Isoline[];
   probe(document: DocumentInput, point: Point): Probe | null;
   paint(document: DocumentInput, options: PictureOptions): Picture;
   svg(document: DocumentInput, options: PictureOptions): string;
@@ -275,7 +317,7 @@ export interface Directrix {
   readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   fitCurve(points: Point[], options: FitOptions): FittedCurve;
-  job(document: DocumentInput): Job;
+  job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
 }
 
 export interface LoadOptions {

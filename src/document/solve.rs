@@ -1,6 +1,7 @@
 //! From a document to its matching, in steps.
 
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
+use crate::curve::ClosedBSpline;
 use crate::matching::{Greedy, Matching, Outline, Problem, ProblemError, Weights};
 use crate::morph::Band;
 
@@ -20,7 +21,7 @@ pub struct Solution {
 pub enum Outcome {
     /// The curves meet themselves or each other: they can be drawn but not matched.
     Refused(DocumentError),
-    /// The curves cannot be matched as they lie; the diagnostics say why.
+    /// The curves cannot be matched as they lie, or are not both there; the diagnostics say why.
     Unmatched,
     /// Lines were found.
     Matched {
@@ -53,7 +54,7 @@ impl Solution {
     #[must_use]
     pub fn band_with(&self, per_line: usize) -> Option<Band> {
         match &self.outcome {
-            Outcome::Matched { matching, band: Some(_), .. } => Some(band(&self.model, matching, per_line)),
+            Outcome::Matched { matching, band: Some(_), .. } => band(&self.model, matching, per_line),
             Outcome::Matched { .. } | Outcome::Refused(_) | Outcome::Unmatched => None,
         }
     }
@@ -93,9 +94,10 @@ impl Solve {
             let matching = job.step(may_go_on)?;
             let problem = Box::new(job.problem().clone());
             let model = self.model.as_ref()?;
-            let mut diagnostics = corners(model);
+            let mut diagnostics = curve_remarks(model);
             diagnostics.extend(remarks(model.weights(), &problem, &matching));
-            let band = matching.is_complete().then(|| band(model, &matching, rulings_per_line(&matching)));
+            let per_line = rulings_per_line(&matching);
+            let band = matching.is_complete().then(|| band(model, &matching, per_line)).flatten();
             let outcome = Outcome::Matched { problem, matching, band };
             self.state = State::Ready(Box::new((outcome, diagnostics)));
         }
@@ -129,26 +131,29 @@ impl Solve {
 }
 
 fn prepare(model: &Model) -> State {
-    let outlines = model.samples().each_ref().map(Outline::from);
-    match Problem::new(outlines, model.weights(), model.gap()) {
-        Ok(problem) => State::Growing(Box::new(Greedy::new(problem))),
-        Err(error) => {
-            let mut diagnostics = corners(model);
-            diagnostics.push(why_unmatched(model, error));
-            State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
+    let reason = match model.pair() {
+        None => Diagnostic::Incomplete { curves: model.curves().len() },
+        Some((curves, samples)) => {
+            let outlines = samples.each_ref().map(Outline::from);
+            match Problem::new(outlines, model.weights(), model.gap()) {
+                Ok(problem) => return State::Growing(Box::new(Greedy::new(problem))),
+                Err(error) => why_unmatched(curves, model.gap(), error),
+            }
         }
-    }
+    };
+    let mut diagnostics = curve_remarks(model);
+    diagnostics.push(reason);
+    State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
 }
 
 /// Says why sampled polygons cannot be matched although the curves themselves are simple and, at equal heights, apart.
-fn why_unmatched(model: &Model, error: ProblemError) -> Diagnostic {
+fn why_unmatched(curves: &[ClosedBSpline; 2], gap: f64, error: ProblemError) -> Diagnostic {
     match error {
         ProblemError::Apart => Diagnostic::Disjoint,
         ProblemError::NotSimple { at, .. } => Diagnostic::CoarseSampling { at: Some(at) },
         ProblemError::NotCounterClockwise { .. } => Diagnostic::CoarseSampling { at: None },
         ProblemError::Meet { at } => {
-            let crossing =
-                (model.gap() > 0.0).then(|| model.curves()[0].contact(&model.curves()[1])).flatten();
+            let crossing = (gap > 0.0).then(|| curves[0].contact(&curves[1])).flatten();
             match crossing {
                 Some(meeting) => Diagnostic::Crossing { at: meeting.at },
                 None => Diagnostic::CoarseSampling { at: Some(at) },
@@ -157,8 +162,8 @@ fn why_unmatched(model: &Model, error: ProblemError) -> Diagnostic {
     }
 }
 
-fn corners(model: &Model) -> Vec<Diagnostic> {
-    let corners = |(curve, spline): (usize, &crate::curve::ClosedBSpline)| {
+fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
+    let corners = |(curve, spline): (usize, &ClosedBSpline)| {
         spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
             curve,
             parameter: corner.u,
@@ -166,7 +171,8 @@ fn corners(model: &Model) -> Vec<Diagnostic> {
             turn: corner.turn,
         })
     };
-    model.curves().iter().enumerate().flat_map(corners).collect()
+    let limits = model.coarse().iter().map(|&curve| Diagnostic::SampleLimit { curve });
+    model.curves().iter().enumerate().flat_map(corners).chain(limits).collect()
 }
 
 fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diagnostic> {
@@ -197,8 +203,9 @@ fn rulings_per_line(matching: &Matching) -> usize {
     IN_ALL.div_ceil(matching.lines.len().max(1)).clamp(2, 32)
 }
 
-fn band(model: &Model, matching: &Matching, per_line: usize) -> Band {
-    let parameters = model.samples().each_ref().map(|samples| samples.parameters.as_slice());
+fn band(model: &Model, matching: &Matching, per_line: usize) -> Option<Band> {
+    let (curves, samples) = model.pair()?;
+    let parameters = samples.each_ref().map(|samples| samples.parameters.as_slice());
     let compose = |curve: usize, u: f64| model.composition(curve, u);
-    Band::new(model.curves(), parameters, &matching.lines, compose, per_line)
+    Some(Band::new(curves, parameters, &matching.lines, compose, per_line))
 }

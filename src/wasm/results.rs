@@ -1,17 +1,18 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
-use crate::document::{Diagnostic, DocumentError, Outcome, Solution};
+use crate::document::{Diagnostic, DocumentError, IsoOptions, Outcome, Solution};
 use crate::matching::{Matching, Problem, RulingLine};
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
+use wasm_bindgen::prelude::JsValue;
 
 #[derive(Serialize)]
 pub(super) struct MatchResult {
     ok: bool,
     diagnostics: Vec<DiagnosticResult>,
-    reversed: [bool; 2],
+    reversed: Vec<bool>,
     samples: Vec<SamplesResult>,
     lines: Vec<LineResult>,
     pairs: [(); 0],
@@ -121,7 +122,7 @@ impl MatchResult {
         Ok(Self {
             ok: solution.is_complete(),
             diagnostics: solution.diagnostics.iter().map(DiagnosticResult::from).collect(),
-            reversed: model.reversed(),
+            reversed: model.reversed().to_vec(),
             samples: model
                 .samples()
                 .iter()
@@ -189,7 +190,8 @@ impl From<&Diagnostic> for DiagnosticResult {
                 result.curve = Some(*curve);
                 result.vertices = Some(vertices.clone());
             }
-            Diagnostic::Disjoint => {}
+            Diagnostic::Incomplete { .. } | Diagnostic::Disjoint => {}
+            Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
             Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
             Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
         }
@@ -224,6 +226,20 @@ pub(super) fn cells(band: &Band, stages: usize) -> Vec<CellResult> {
     unit_cells(band, stages).into_iter().map(convert).collect()
 }
 
+/// Lines of equal fraction of a band as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of
+/// each point.
+pub(super) fn isolines(band: &Band, options: &IsoOptions) -> Vec<Vec<f64>> {
+    let mut flat = Vec::new();
+    for (k, &level) in options.levels.iter().enumerate() {
+        for line in band.iso_lines(options.material, level) {
+            let mut numbers = vec![k as f64, f64::from(u8::from(line.closed))];
+            line.points.iter().for_each(|point| numbers.extend([point.x, point.y]));
+            flat.push(numbers);
+        }
+    }
+    flat
+}
+
 /// What the band holds at a point, and the nearest ruling line; `None` outside the band or without one.
 pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
     let Outcome::Matched { problem, matching, band: Some(band) } = &solution.outcome else { return None };
@@ -243,6 +259,12 @@ pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
         from: first.points[ruling.from].to_array(),
         to: second.points[ruling.to].to_array(),
     })
+}
+
+/// A result as a value of the host.
+pub(super) fn to_value<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::new().serialize_missing_as_null(true);
+    value.serialize(&serializer).map_err(JsValue::from)
 }
 
 fn pairs(points: &[DVec2]) -> Vec<[f64; 2]> {

@@ -68,6 +68,22 @@ test("stages, cells and probe agree with the lines", () => {
   assert.equal(dx.probe(amoeba, [0, 0]), null);
 });
 
+test("isolines have the fraction that the probe reads", () => {
+  const lines = dx.isolines(amoeba, { material: 1, levels: [0.25, 0.5] });
+  assert.deepEqual(lines.map(({ level }) => level), [0.25, 0.5]);
+  for (const { level, lines: polylines, closed } of lines) {
+    assert.ok(polylines.length > 0 && closed.length === polylines.length);
+    for (const point of polylines.flat()) {
+      const fraction = dx.probe(amoeba, point)?.fractions[1];
+      assert.ok(fraction !== undefined && Math.abs(fraction - level) < 1e-6, `${fraction} for ${level}`);
+    }
+  }
+  assert.deepEqual(dx.isolines(amoeba).map(({ level }) => level), [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]);
+  assert.equal(refused(() => dx.isolines(amoeba, { material: 3 })).path, "options.material");
+  assert.equal(refused(() => dx.isolines(amoeba, { levels: [2] })).path, "options.levels[0]");
+  assert.equal(refused(() => dx.paint(amoeba, { width: 9, height: 9, isoMaterial: 3 })).path, "options.isoMaterial");
+});
+
 test("pictures have the size asked for and show the view they say", () => {
   const picture = dx.paint(amoeba, { width: 320, height: 200 });
   assert.deepEqual([picture.width, picture.height, picture.data.length], [320, 200, 320 * 200 * 4]);
@@ -80,6 +96,25 @@ test("pictures have the size asked for and show the view they say", () => {
   assert.match(svg, /&lt;b&gt;&amp;/);
   assert.ok(!svg.includes("<b>"));
   assert.ok(svg.length < 400_000, `${svg.length} bytes`);
+});
+
+test("a drawing in progress shows what is there and says what is missing", () => {
+  for (const curves of [[], amoeba.curves.slice(0, 1)]) {
+    const document = { ...amoeba, curves };
+    const match = dx.match(document);
+    assert.equal(match.ok, false);
+    assert.deepEqual(match.diagnostics.map(({ code }) => code), ["incomplete"]);
+    assert.ok(match.diagnostics[0].message.startsWith(`${curves.length} of 2 curves`));
+    assert.deepEqual([match.totals, match.lines], [{ lines: null, pairs: null }, []]);
+    assert.deepEqual([match.samples.length, match.reversed.length], [curves.length, curves.length]);
+    assert.deepEqual([dx.stages(document), dx.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
+    assert.equal(dx.paint(document, { width: 60, height: 40 }).data.length, 60 * 40 * 4);
+    assert.match(dx.svg(document, { width: 60, height: 40 }), /^<svg/);
+    assert.equal(dx.defaults(document).curves.length, curves.length);
+  }
+  const view = dx.fit({ ...amoeba, curves: [] }, { width: 400, height: 300 });
+  assert.deepEqual(view.center, [0, 0]);
+  assert.ok(view.scale > 2 && view.scale <= 3, "100 units fill the height but for a margin");
 });
 
 test("inserting a control point keeps the shape", () => {
@@ -152,6 +187,25 @@ test("a job solves in steps and gives the same matching", () => {
   }
   assert.ok(steps > 1, `${steps} steps`);
   assert.equal(dx.match(document).ok, true);
+});
+
+test("a job paints in steps and gives the same picture", () => {
+  const document = { ...amoeba, title: "painted in steps" };
+  const size = { width: 1500, height: 1100, pixelRatio: 2 };
+  const job = dx.job(document, { paint: size });
+  /** @type {number[]} */
+  const shares = [];
+  let state = job.step(0);
+  for (; !state.done; state = job.step(0)) {
+    assert.equal(state.picture, undefined);
+    shares.push(state.progress);
+  }
+  assert.ok(shares.length > 5 && shares.every((share, i) => share < 1 && share >= (shares[i - 1] ?? 0)), `${shares}`);
+  assert.deepEqual(state.picture, dx.paint(document, size));
+  assert.equal(job.step(0), state, "a job that is done stays so");
+  assert.equal(refused(() => dx.job(document, { paint: { ...size, width: 5000 } }).step(1000)).path, "options.width");
+  const crossed = { ...amoeba, curves: [amoeba.curves[1], amoeba.curves[1]] };
+  assert.ok(dx.job(crossed, { paint: size }).step(1000).progress > 0, "curves that cannot be matched are drawn");
 });
 
 test("both modules answer alike", async () => {

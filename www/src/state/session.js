@@ -12,7 +12,7 @@
 
 /** Milliseconds of rest before the work is kept. */
 const PAUSE = 800;
-const VERSION = 1;
+const VERSION = 2;
 
 /** @returns {Session | null} */
 export function restore() {
@@ -28,14 +28,14 @@ export function keep(app) {
   let timer;
   const write = () => {
     clearTimeout(timer);
-    const { selection, view, fitted, fitScale, layers, s, open, tab } = app.ui.value;
+    const { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
           directrix: VERSION,
           document: app.store.document,
           edited: app.store.edited,
-          ui: { selection, view, fitted, fitScale, layers, s, open, tab },
+          ui: { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
         },
         "",
       );
