@@ -252,7 +252,7 @@ fn band_of_an_annulus_has_its_radii_and_fractions() {
 
 #[test]
 fn iso_lines_of_every_preset_have_their_fraction_and_are_drawn() {
-    for (id, _, text) in presets() {
+    for Preset { id, text, .. } in presets() {
         let solution = Solve::run(read_text(&text).expect("a valid document")).expect("valid curves");
         let Some(band) = solution.band() else { continue };
         let mut met = 0;

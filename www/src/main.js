@@ -18,6 +18,7 @@ import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
 import { firstPreset } from "./gallery/first.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
+import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
 import { createEmpty } from "./stage/empty.js";
@@ -32,6 +33,7 @@ import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
+import { keyWithin } from "./state/composition.js";
 import { Record } from "./state/record.js";
 import { only, within } from "./state/selection.js";
 import { keep, restore } from "./state/session.js";
@@ -89,6 +91,10 @@ function assemble(kernel, store, restored) {
     fitScale: 1,
     size: { width: 0, height: 0 },
     layers: [],
+    isoMaterial: 0,
+    stageLabels: false,
+    composing: false,
+    key: null,
     s: 0.4,
     playing: false,
     theme: currentTheme(),
@@ -120,6 +126,10 @@ function nameRegions() {
   for (const [id, name] of Object.entries(regions)) find(`#${id}`).setAttribute("aria-label", name);
 }
 
+/** Whether lines of the picture have names. @param {Readonly<Ui>} ui */
+const labelled = ({ layers, stageLabels }) =>
+  layers.includes("isoComposition") || (stageLabels && layers.includes("inBetweens"));
+
 /** @param {App} app */
 function run(app) {
   const { store, ui, results } = app;
@@ -146,6 +156,8 @@ function run(app) {
     createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose }),
     probe,
     createWitness(app),
+    later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
+    later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
     createLegend(app),
     createZoom(app),
     morph,
@@ -175,7 +187,15 @@ function run(app) {
   store.subscribe(() => {
     if (store.document !== document) app.tool?.close();
     ({ document } = store);
-    ui.set({ probe: null, witness: null, note: null, selection: within(ui.value.selection, store.document) });
+    ui.set({
+      probe: null,
+      witness: null,
+      note: null,
+      selection: within(ui.value.selection, document),
+      key: keyWithin(ui.value.key, document),
+      composing: ui.value.composing && document.curves.length > 0,
+      isoMaterial: Math.min(ui.value.isoMaterial, document.materials.length - 1),
+    });
     schedule();
   });
   ui.subscribe((now, before) => {

@@ -318,8 +318,20 @@ export const strings = {
     color: (/** @type {string} */ name) => `Colour of ${name}`,
     name: (/** @type {number} */ index) => `Name of material ${index + 1}`,
     on: (/** @type {string} */ curve, /** @type {string} */ name) => `${curve} curve: ${name}`,
-    add: "Add material",
-    remove: (/** @type {string} */ name) => `Remove ${name}`,
+    add: "Add",
+    details: (/** @type {string} */ name) => `Colour, order and removal of ${name}`,
+    palette: ["Yellow", "Green", "Blue", "Orange", "Sky", "Vermilion", "Purple", "Silver"],
+    void: "Empty space",
+    up: "Up",
+    down: "Down",
+    moved: (/** @type {string} */ name, /** @type {number} */ place, /** @type {number} */ of) =>
+      `${name} is material ${place} of ${of}`,
+    removeWord: "Remove",
+    removed: (/** @type {string} */ name) => `Removed ${name}`,
+    onlyOne: "A document keeps at least one material",
+    replace: (/** @type {string} */ name) => `What replaces ${name}`,
+    replaceBy: "Replace by",
+    keep: "Keep it",
     fresh: (/** @type {number} */ index) => `Material ${index + 1}`,
     along: (/** @type {string} */ curve) => `composition along the ${inSentence(curve)} curve`,
     stops: (/** @type {number} */ count) => plural(count, "stop", "stops"),
@@ -341,7 +353,47 @@ export const strings = {
       value: "Value",
       unitCells: "Unit cells",
       unconnected: "Unconnected",
+      isoComposition: "Equal mix",
     },
+    isoMaterial: "Equal mix of",
+    isoMaterialField: "Material of the lines of equal mix",
+    stageLabels: "Names on in-betweens",
+  },
+
+  labels: {
+    share: (/** @type {string} */ name, /** @type {string} */ percent) => `${name} ${percent}`,
+  },
+
+  legend: {
+    more: (/** @type {number} */ count) => `and ${count} more`,
+  },
+
+  composition: {
+    toggle: "Edit on curve",
+    toggleHelp: "Edit the composition along the curves, on the curves themselves",
+    entered: "Composition keys are on the curves",
+    left: "Control points are on the curves",
+    group: (/** @type {string} */ curve) => `Composition along ${curve}`,
+    help:
+      "Arrow keys slide the key along the curve, with Shift ten times as far, with Alt a tenth. Page up and page down go to " +
+      "the previous and the next key. Insert adds a key after this one, Delete removes it, Escape takes the move back.",
+    key: (/** @type {number} */ index, /** @type {number} */ of, /** @type {string} */ curve) =>
+      `Key ${index} of ${of} on ${curve}`,
+    spoken: (/** @type {string} */ name, /** @type {string} */ at, /** @type {string} */ mix) => `${name}, at ${at}, ${mix}`,
+    place: "Place",
+    add: "Add key",
+    remove: "Remove key",
+    added: (/** @type {string} */ key) => `Added. ${key}`,
+    removed: (/** @type {string} */ key) => `Removed. ${key}`,
+    lastStays: "A curve keeps at least one key",
+  },
+
+  mixing: {
+    group: "Mix of materials",
+    bar: (/** @type {string} */ name) => `Share of ${name}`,
+    percent: (/** @type {string} */ name) => `Per cent of ${name}`,
+    triangle: "Mix of three materials",
+    share: (/** @type {string} */ name, /** @type {string} */ percent) => `${name} ${percent}`,
   },
 
   morph: {
@@ -362,6 +414,8 @@ export const strings = {
     cosine: "normals, cos",
     length: "length",
     spoken: (/** @type {string[]} */ parts) => parts.join(", "),
+    onCurve: (/** @type {string} */ curve) => `On ${inSentence(curve)}`,
+    at: "at",
   },
 
   status: {

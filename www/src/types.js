@@ -49,6 +49,7 @@
  * @property {Point} [center]
  * @property {number} [span] document units across the shorter side of the picture
  * @property {number} [s]
+ * @property {number} [isoMaterial]
  *
  * @typedef {object} CurvesDocument
  * @property {1} directrix
@@ -67,6 +68,9 @@
  * @typedef {object} Selection
  * @property {0 | 1} curve
  * @property {number[]} points ascending indices of control points; none for the whole curve
+ *
+ * @typedef {Probe & {boundary?: {curve: 0 | 1, at: number}}} Reading
+ *   What the probe shows; on a curve itself with the place on it, a fraction of its knot domain.
  *
  * @typedef {{code: string, path?: string, message: string, name?: string, at?: Point}} Problem
  *   What is left of a DirectrixError once it is shown.

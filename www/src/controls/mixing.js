@@ -15,7 +15,7 @@ import { slider } from "./slider.js";
 import { TALL, triangle } from "./triangle.js";
 
 /** Side of the triangle, CSS pixels. */
-const SIDE = 150;
+const SIDE = 128;
 const STEP = 0.01;
 
 /**

@@ -18,7 +18,7 @@ export function splitView(document) {
   const layers = view?.layers?.filter((name) => LAYERS.some((layer) => layer === name));
   return {
     document: /** @type {CurvesDocument} */ (rest),
-    ui: { layers: layers ?? [...FIRST_LAYERS], s: view?.s ?? FIRST_S },
+    ui: { layers: layers ?? [...FIRST_LAYERS], s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0 },
     place: view?.center && view.span ? { center: view.center, span: view.span } : null,
   };
 }
@@ -30,7 +30,7 @@ export function splitView(document) {
  * @returns {CurvesDocument}
  */
 export function documentWithView(app, document = app.store.document) {
-  const { view, layers, s, size } = app.ui.value;
+  const { view, layers, s, size, isoMaterial } = app.ui.value;
   const place = view ? { center: view.center, span: Math.min(size.width, size.height) / view.scale } : {};
-  return { ...document, view: { layers, s, ...place } };
+  return { ...document, view: { layers, s, ...(isoMaterial > 0 ? { isoMaterial } : {}), ...place } };
 }

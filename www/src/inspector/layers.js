@@ -6,7 +6,8 @@
  */
 import { runCommand } from "../commands.js";
 import { checkBox } from "../controls/choices.js";
-import { h } from "../dom.js";
+import { row } from "../controls/row.js";
+import { attribute, h, write } from "../dom.js";
 import { symbol } from "../icons.js";
 import { LAYERS } from "../state/app.js";
 import { strings } from "../strings.js";
@@ -28,14 +29,36 @@ export function layersGroup(app) {
     ),
   }));
   const snap = checkBox({ name: "snap", text: [words.snap] }, () => void runCommand(app, "snap"));
+  const select = h("select", { "aria-label": words.isoMaterialField, "data-select": "iso-material" });
+  select.addEventListener("change", () => app.ui.set({ isoMaterial: Number(select.value) }));
+  const material = row(words.isoMaterial, { element: h("span", { class: "field select" }, select) });
+  const labels = checkBox({ name: "stage-labels", text: [words.stageLabels] }, (on) => app.ui.set({ stageLabels: on }));
   return {
     name: "layers",
     heading: words.heading,
-    body: h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element),
+    body: h(
+      "div",
+      {},
+      h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element),
+      labels.element,
+      material,
+    ),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
-      for (const { name, set } of boxes) set(app.ui.value.layers.includes(name));
-      snap.set(app.ui.value.snap);
+      const { layers, isoMaterial, stageLabels, snap: snaps } = app.ui.value;
+      const { materials } = app.store.document;
+      for (const { name, set } of boxes) set(layers.includes(name));
+      snap.set(snaps);
+      labels.element.hidden = !layers.includes("inBetweens");
+      labels.set(stageLabels);
+      material.hidden = !layers.includes("isoComposition");
+      while (select.options.length < materials.length) select.append(h("option", {}));
+      while (select.options.length > materials.length) select.remove(materials.length);
+      materials.forEach(({ name }, i) => {
+        write(select.options[i], name);
+        attribute(select.options[i], "value", String(i));
+      });
+      if (select.value !== String(isoMaterial)) select.value = String(isoMaterial);
     },
   };
 }

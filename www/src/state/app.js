@@ -1,7 +1,7 @@
 /**
  * What every part of the page is given: the document store, what is shown besides it, and the results.
  *
- * @import { CurvesDocument, Kernel, LayerName, Match, Picture, Point, Probe, Problem, Selection, Size, View } from "../types.js"
+ * @import { CurvesDocument, Kernel, LayerName, Match, Picture, Point, Problem, Reading, Selection, Size, View } from "../types.js"
  *
  * @typedef {object} Note A sentence in the status line that stands until the next edit.
  * @property {"plain" | "error"} tone
@@ -14,10 +14,14 @@
  * @property {number} fitScale the scale that counts as 100 %
  * @property {Size} size of the canvas
  * @property {LayerName[]} layers
+ * @property {number} isoMaterial index of the material whose lines of equal fraction are shown
+ * @property {boolean} stageLabels whether the in-betweens have names
+ * @property {boolean} composing whether composition keys stand on the curves in place of the control points
+ * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
  * @property {"light" | "dark"} theme
- * @property {Probe | null} probe
+ * @property {Reading | null} probe
  * @property {Point | null} witness a place the person asked to see
  * @property {Note | null} note
  * @property {string[]} open names of the open groups
@@ -70,6 +74,7 @@ export const LAYERS = /** @type {const} */ ([
   "value",
   "unitCells",
   "unconnected",
+  "isoComposition",
 ]);
 
 /** @type {readonly LayerName[]} */

@@ -80,6 +80,17 @@ export function followed(before, after, curve, index) {
 }
 
 /**
+ * A chosen key as far as the document has it.
+ * @param {{curve: 0 | 1, index: number} | null} key
+ * @param {CurvesDocument} document
+ */
+export function keyWithin(key, document) {
+  const count = key ? document.curves[key.curve]?.composition.length : 0;
+  if (!key || !count) return null;
+  return key.index < count ? key : { curve: key.curve, index: count - 1 };
+}
+
+/**
  * Adds a key with the mix that is there, so that the profile keeps its shape. Where one stands already, nothing happens.
  * @param {CurvesDocument} document
  * @param {number} curve
