@@ -47,7 +47,7 @@ const root = document.documentElement;
 
 /** @returns {Promise<void>} */
 async function start() {
-  const kernel = await connect({ module: "figure" });
+  const kernel = await connect({ module: "full" });
   const { document: first, edited, ui } = await firstDocument(kernel);
   const store = new Store(first);
   if (edited) store.open(first, true);
