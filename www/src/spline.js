@@ -43,12 +43,25 @@ function clampedKnot(i, n, p) {
   return Math.min(Math.max(i - p, 0), n - p) / (n - p);
 }
 
+/** Outlines that were asked for: a curve is never changed in place. @type {WeakMap<Curve, {u: number, at: Point}[]>} */
+const outlines = new WeakMap();
+
 /**
  * The outline as a chain of chords with the parameter of every vertex, seam at both ends.
  * @param {Curve} curve
  * @returns {{u: number, at: Point}[]}
  */
 export function outline(curve) {
+  const known = outlines.get(curve) ?? trace(curve);
+  outlines.set(curve, known);
+  return known;
+}
+
+/**
+ * @param {Curve} curve
+ * @returns {{u: number, at: Point}[]}
+ */
+function trace(curve) {
   const { knots, points } = unrolled(curve);
   const p = curve.degree;
   /** @type {{u: number, at: Point}[]} */

@@ -34,7 +34,7 @@ export function layersGroup(app) {
   return {
     name: "layers",
     heading: words.heading,
-    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element)), labels.element, material),
+    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), labels.element), material),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
       const { layers, isoMaterial, stageLabels } = app.ui.value;
