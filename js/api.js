@@ -55,6 +55,11 @@ export function createApi(engine) {
       throw fromModule(error);
     }
   };
+  /**
+   * @param {import("./directrix.js").DocumentInput} document
+   * @param {import("./directrix.js").PictureOptions} options
+   */
+  const start = (document, options) => ask(() => engine.painting(toText(document), toText(options, "options")));
   return {
     match: (document) => ask(() => engine.match(toText(document))),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
@@ -66,19 +71,35 @@ export function createApi(engine) {
         return grouped(levels, flat);
       }),
     probe: (document, [x, y]) => ask(() => engine.probe(toText(document), x, y)),
-    paint: (document, options) => ask(() => engine.paint(toText(document), toText(options, "options"))),
+    paint(document, options) {
+      const painting = start(document, options);
+      return ask(() => {
+        painting.step(Infinity);
+        return painting.picture();
+      });
+    },
     svg: (document, options) => ask(() => engine.svg(toText(document), toText(options, "options"))),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
-    job(document) {
+    job(document, { paint } = {}) {
       const text = ask(() => toText(document));
-      return {
-        step(budget) {
-          const progress = ask(() => engine.step(text, budget));
-          return { progress, done: progress === 1 };
-        },
+      /** @type {import("./pkg/directrix.js").Painting | undefined} */
+      let painting;
+      /** @type {import("./directrix.js").Progress | undefined} */
+      let end;
+      const solve = (/** @type {number} */ budget) => {
+        const progress = ask(() => engine.step(text, budget));
+        if (!paint) return { progress, done: progress === 1 };
+        if (progress === 1) painting = start(text, paint);
+        return { progress: progress / 2, done: false };
       };
+      const go = (/** @type {import("./pkg/directrix.js").Painting} */ painting, /** @type {number} */ budget) => {
+        const painted = ask(() => painting.step(budget));
+        if (painted < 1) return { progress: (1 + painted) / 2, done: false };
+        return (end = { progress: 1, done: true, picture: ask(() => painting.picture()) });
+      };
+      return { step: (budget) => end ?? (painting ? go(painting, budget) : solve(budget)) };
     },
   };
 }

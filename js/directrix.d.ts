@@ -52,7 +52,17 @@ export interface CurvesDocument {
   materials?: Material[];
   /** Two; fewer while they are being drawn. */
   curves: Curve[];
-  sampling?: { scheme?: "parameter" | "arc-length" | "adaptive"; counts?: [number, number] };
+  sampling?: {
+    scheme?: "parameter" | "arc-length" | "adaptive";
+    /** Samples of each curve; adaptive samples ignore it. */
+    counts?: [number, number];
+    /** Of adaptive samples: greatest distance of a curve from the chords. */
+    tolerance?: number;
+    /** Of adaptive samples: degrees. */
+    maxTurn?: number;
+    /** Of adaptive samples: fewest of each curve. */
+    minCount?: number;
+  };
   matching: {
     method: "exact" | "greedy" | "one-per-vertex" | "shift" | "parameter";
     normalWeight?: number;
@@ -73,7 +83,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -224,10 +234,19 @@ export interface Picture {
   view: View;
 }
 
-/** The solution of a document in steps, for hosts that must stay responsive. */
+/** How far a job has come. */
+export interface Progress {
+  /** The share done, 0 to 1. */
+  progress: number;
+  done: boolean;
+  /** Of a job that paints, when it is done. */
+  picture?: Picture;
+}
+
+/** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
 export interface Job {
   /** Works for about so many milliseconds. When done, the other functions answer from the result. */
-  step(budget: number): { progress: number; done: boolean };
+  step(budget: number): Progress;
 }
 
 /** The functions of a module. All throw `DirectrixError`. */
@@ -243,7 +262,7 @@ export interface Directrix {
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
-  job(document: DocumentInput): Job;
+  job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
 }
 
 export interface LoadOptions {

@@ -25,6 +25,11 @@ pub enum Diagnostic {
         /// Turn of the tangent in degrees, positive to the left.
         turn: f64,
     },
+    /// A curve would need more than 1000 adaptive samples: it has 1000, where they help most.
+    SampleLimit {
+        /// Number of the curve.
+        curve: usize,
+    },
     /// Lines whose ends have opposed normals; with signed products such a line is less bad when longer.
     OpposedNormals {
         /// Indices of the lines.
@@ -65,6 +70,7 @@ impl Diagnostic {
         match self {
             Self::Incomplete { .. } => "incomplete",
             Self::Corner { .. } => "corner",
+            Self::SampleLimit { .. } => "sample-limit",
             Self::OpposedNormals { .. } => "opposed-normals",
             Self::Orphan { .. } => "orphan",
             Self::Stuck { .. } => "stuck",
@@ -92,6 +98,12 @@ impl fmt::Display for Diagnostic {
                 write!(f, "curve {curve} has a corner of {} degrees", turn.round())?;
                 near(f, at)
             }
+            Self::SampleLimit { curve } => {
+                write!(
+                    f,
+                    "curve {curve} has the most samples allowed, 1000, and would need more; raise the tolerance or the turn"
+                )
+            }
             Self::OpposedNormals { lines } => {
                 write!(f, "{} lines join points with opposed normals", lines.len())
             }
@@ -114,7 +126,7 @@ impl fmt::Display for Diagnostic {
             Self::CoarseSampling { at } => {
                 write!(f, "the sampled polygons meet although the curves do not")?;
                 at.iter().try_for_each(|at| near(f, at))?;
-                write!(f, "; raise the sample counts")
+                write!(f, "; take more samples")
             }
         }
     }

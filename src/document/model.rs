@@ -1,8 +1,8 @@
 //! The curves of a document, ready for evaluation.
 
-use super::schema::{CurveForm, CurveSpec, NegativeMode, SamplingScheme};
+use super::schema::{BLANK, CurveForm, CurveSpec, NegativeMode, SamplingScheme};
 use super::{Code, CurvesDocument, DocumentError};
-use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample};
+use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
 use crate::geom::{Bounds, ShownPlace};
 use crate::matching::{NegativeProducts, Weights};
 use crate::material::{Color, Composition, Material, Profile};
@@ -17,12 +17,10 @@ pub struct Model {
     curves: Vec<ClosedBSpline>,
     reversed: Vec<bool>,
     samples: Vec<Samples>,
+    coarse: Vec<usize>,
     profiles: Vec<Profile>,
     materials: Vec<Material>,
 }
-
-/// What a document without curves shows: the middle of the plane, 100 units across.
-const BLANK: Bounds = Bounds { min: DVec2::splat(-50.0), max: DVec2::splat(50.0) };
 
 impl Model {
     /// Builds the curves and compositions of a document.
@@ -32,10 +30,6 @@ impl Model {
     /// each other are built; [`fault`](Self::fault) tells.
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
         let materials = materials(&document)?;
-        let scheme = match document.sampling.scheme {
-            SamplingScheme::Parameter => Scheme::Parameter,
-            SamplingScheme::ArcLength => Scheme::ArcLength,
-        };
         let (mut curves, mut reversed, mut profiles) = (Vec::new(), Vec::new(), Vec::new());
         for (k, spec) in document.curves.iter().enumerate() {
             profiles.push(profile(&document, k)?);
@@ -43,9 +37,15 @@ impl Model {
             curves.push(curve);
             reversed.push(is_reversed);
         }
-        let counts = document.sampling.counts;
-        let samples = curves.iter().zip(counts).map(|(curve, count)| sample(curve, scheme, count)).collect();
-        Ok(Self { curves, reversed, samples, profiles, materials, document })
+        let (mut samples, mut coarse) = (Vec::new(), Vec::new());
+        for (k, curve) in curves.iter().enumerate() {
+            let (taken, is_fine) = samples_of(curve, k, &document);
+            samples.push(taken);
+            if !is_fine {
+                coarse.push(k);
+            }
+        }
+        Ok(Self { curves, reversed, samples, coarse, profiles, materials, document })
     }
 
     /// The document.
@@ -70,6 +70,12 @@ impl Model {
     #[must_use]
     pub fn samples(&self) -> &[Samples] {
         &self.samples
+    }
+
+    /// Numbers of the curves whose adaptive samples would have to be more than the format allows.
+    #[must_use]
+    pub fn coarse(&self) -> &[usize] {
+        &self.coarse
     }
 
     /// The two curves and their samples, once both are there.
@@ -121,7 +127,11 @@ impl Model {
     /// Smallest box that holds the curves and their control points; 100 units about the origin where there are none.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        self.curves.iter().map(ClosedBSpline::bounds).reduce(Bounds::union).unwrap_or(BLANK)
+        self.curves
+            .iter()
+            .map(ClosedBSpline::bounds)
+            .reduce(Bounds::union)
+            .unwrap_or(Bounds { min: DVec2::splat(-BLANK / 2.0), max: DVec2::splat(BLANK / 2.0) })
     }
 
     /// Finds a place where a curve meets itself, or where the two meet at equal heights, on the curves themselves.
@@ -174,6 +184,17 @@ fn profile(document: &CurvesDocument, curve: usize) -> Result<Profile, DocumentE
     });
     let keys = compositions.collect::<Result<Vec<_>, _>>()?;
     Profile::new(keys).map_err(|e| DocumentError::new(Code::Range, path(""), e.to_string()))
+}
+
+/// Samples a curve as the document says; tells whether the samples are as fine as they should be.
+fn samples_of(curve: &ClosedBSpline, k: usize, document: &CurvesDocument) -> (Samples, bool) {
+    let sampling = &document.sampling;
+    let scheme = match sampling.scheme {
+        SamplingScheme::Parameter => Scheme::Parameter,
+        SamplingScheme::ArcLength => Scheme::ArcLength,
+        SamplingScheme::Adaptive => return sample_adaptively(curve, sampling.fineness(&document.curves)),
+    };
+    (sample(curve, scheme, sampling.counts[k]), true)
 }
 
 /// Builds a curve as drawn.

@@ -94,7 +94,7 @@ impl Solve {
             let matching = job.step(may_go_on)?;
             let problem = Box::new(job.problem().clone());
             let model = self.model.as_ref()?;
-            let mut diagnostics = corners(model);
+            let mut diagnostics = curve_remarks(model);
             diagnostics.extend(remarks(model.weights(), &problem, &matching));
             let per_line = rulings_per_line(&matching);
             let band = matching.is_complete().then(|| band(model, &matching, per_line)).flatten();
@@ -141,7 +141,7 @@ fn prepare(model: &Model) -> State {
             }
         }
     };
-    let mut diagnostics = corners(model);
+    let mut diagnostics = curve_remarks(model);
     diagnostics.push(reason);
     State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
 }
@@ -162,7 +162,7 @@ fn why_unmatched(curves: &[ClosedBSpline; 2], gap: f64, error: ProblemError) -> 
     }
 }
 
-fn corners(model: &Model) -> Vec<Diagnostic> {
+fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
     let corners = |(curve, spline): (usize, &ClosedBSpline)| {
         spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
             curve,
@@ -171,7 +171,8 @@ fn corners(model: &Model) -> Vec<Diagnostic> {
             turn: corner.turn,
         })
     };
-    model.curves().iter().enumerate().flat_map(corners).collect()
+    let limits = model.coarse().iter().map(|&curve| Diagnostic::SampleLimit { curve });
+    model.curves().iter().enumerate().flat_map(corners).chain(limits).collect()
 }
 
 fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diagnostic> {

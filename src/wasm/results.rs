@@ -6,6 +6,7 @@ use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
+use wasm_bindgen::prelude::JsValue;
 
 #[derive(Serialize)]
 pub(super) struct MatchResult {
@@ -190,6 +191,7 @@ impl From<&Diagnostic> for DiagnosticResult {
                 result.vertices = Some(vertices.clone());
             }
             Diagnostic::Incomplete { .. } | Diagnostic::Disjoint => {}
+            Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
             Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
             Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
         }
@@ -257,6 +259,12 @@ pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
         from: first.points[ruling.from].to_array(),
         to: second.points[ruling.to].to_array(),
     })
+}
+
+/// A result as a value of the host.
+pub(super) fn to_value<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::new().serialize_missing_as_null(true);
+    value.serialize(&serializer).map_err(JsValue::from)
 }
 
 fn pairs(points: &[DVec2]) -> Vec<[f64; 2]> {

@@ -189,6 +189,25 @@ test("a job solves in steps and gives the same matching", () => {
   assert.equal(dx.match(document).ok, true);
 });
 
+test("a job paints in steps and gives the same picture", () => {
+  const document = { ...amoeba, title: "painted in steps" };
+  const size = { width: 1500, height: 1100, pixelRatio: 2 };
+  const job = dx.job(document, { paint: size });
+  /** @type {number[]} */
+  const shares = [];
+  let state = job.step(0);
+  for (; !state.done; state = job.step(0)) {
+    assert.equal(state.picture, undefined);
+    shares.push(state.progress);
+  }
+  assert.ok(shares.length > 5 && shares.every((share, i) => share < 1 && share >= (shares[i - 1] ?? 0)), `${shares}`);
+  assert.deepEqual(state.picture, dx.paint(document, size));
+  assert.equal(job.step(0), state, "a job that is done stays so");
+  assert.equal(refused(() => dx.job(document, { paint: { ...size, width: 5000 } }).step(1000)).path, "options.width");
+  const crossed = { ...amoeba, curves: [amoeba.curves[1], amoeba.curves[1]] };
+  assert.ok(dx.job(crossed, { paint: size }).step(1000).progress > 0, "curves that cannot be matched are drawn");
+});
+
 test("both modules answer alike", async () => {
   const full = await load();
   assert.deepEqual(full.match(amoeba), dx.match(amoeba));

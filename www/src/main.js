@@ -10,22 +10,25 @@ import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
-import { presetDocument, presets } from "./frame/gallery.js";
+import { openGallery } from "./frame/gallery.js";
 import { createSheet } from "./frame/sheet.js";
 import { listenToShortcuts } from "./frame/shortcuts.js";
 import { createSpeech } from "./frame/speech.js";
 import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
+import { firstPreset } from "./gallery/first.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
+import { createEmpty } from "./stage/empty.js";
 import { listenToKeys } from "./stage/handle-keys.js";
 import { createHandles } from "./stage/handles.js";
 import { createLegend } from "./stage/legend.js";
 import { createMorph } from "./stage/morph.js";
 import { listenToPointer } from "./stage/pointer.js";
 import { createProbe } from "./stage/probe.js";
+import { createReading } from "./stage/reading.js";
 import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
@@ -67,7 +70,7 @@ async function firstDocument(kernel) {
       // Kept by another version of the page that wrote what this one does not read.
     }
   }
-  const { document, ui } = splitView(await completed(kernel, presetDocument(presets[0]?.id ?? "")));
+  const { document, ui } = splitView(await completed(kernel, firstPreset));
   const phone = matchMedia("(width < 600px)").matches;
   const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
   return { document, edited: false, ui: { ...ui, layers } };
@@ -100,12 +103,14 @@ function assemble(kernel, store, restored) {
     note: null,
     open: FIRST_OPEN,
     tab: "matching",
+    snap: false,
+    drawing: false,
     ...restored,
   });
   /** @type {Record<Results>} */
   const results = new Record({ ...NO_RESULTS });
   /** @type {App} */
-  const app = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {} };
+  const app = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {}, tool: null };
   return app;
 }
 
@@ -141,9 +146,14 @@ function run(app) {
   const handles = createHandles(app);
   const probe = createProbe(app);
   const morph = createMorph(app);
+  const reading = createReading(app);
   const parts = [
     createCanvas(app),
+    reading,
     handles,
+    frameOf(app),
+    { render: () => app.tool?.render() },
+    createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose }),
     probe,
     createWitness(app),
     later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
@@ -155,15 +165,16 @@ function run(app) {
     createInspector(app),
     createStatus(app),
   ];
-  listenToPointer(app, handles, probe);
+  listenToPointer(app, handles, probe, reading);
   listenToKeys(app, handles);
-  listenToShortcuts(app, morph.toggle);
+  listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
   listenToDrop(app);
   followSystem(app);
   keep(app);
 
   const progress = find("#progress");
   let frame = 0;
+  let { document } = store;
   const draw = () => {
     frame = 0;
     for (const part of parts) part.render();
@@ -174,7 +185,8 @@ function run(app) {
   };
 
   store.subscribe(() => {
-    const { document } = store;
+    if (store.document !== document) app.tool?.close();
+    ({ document } = store);
     ui.set({
       probe: null,
       witness: null,
@@ -205,6 +217,27 @@ function run(app) {
     if (ui.value.fitted || !ui.value.view) refit();
   }).observe(find("#stage"));
   schedule();
+}
+
+/**
+ * The frame round a selection, loaded when there is one to be framed.
+ * @param {App} app
+ */
+function frameOf(app) {
+  /** @type {Promise<{render: () => void}> | null} */
+  let coming = null;
+  /** @type {{render: () => void} | null} */
+  let frame = null;
+  return {
+    render() {
+      const { selection } = app.ui.value;
+      if (frame) frame.render();
+      else if (!coming && selection && selection.points.length !== 1) {
+        coming = import("./stage/frame.js").then(({ createFrame }) => (frame = createFrame(app)));
+        void coming.then((part) => part.render());
+      }
+    },
+  };
 }
 
 if (!root.dataset.plain) {

@@ -2,17 +2,17 @@
  * Places on a curve for the pointer: where its outline runs on the screen and which parameter lies under a double
  * click. What the page shows as a result always comes from the kernel.
  *
- * @import { Curve, Point } from "./types.js"
+ * @import { Curve, Point, Shape } from "./types.js"
  */
 
-/** Chords drawn for one knot span. At 14 spans the outline is within a pixel of the curve. */
+/** Chords of one knot span, unless asked otherwise. At 14 spans the outline is within a pixel of the curve. */
 const CHORDS = 12;
 /** Part of the domain to either side over which a tangent is taken. */
 const NEAR = 1e-4;
 
 /**
  * The full knot vector with the control points it belongs to, repeated for a periodic curve.
- * @param {Curve} curve
+ * @param {Shape} curve
  * @returns {{knots: number[], points: Point[]}}
  */
 export function unrolled(curve) {
@@ -43,25 +43,28 @@ function clampedKnot(i, n, p) {
   return Math.min(Math.max(i - p, 0), n - p) / (n - p);
 }
 
-/** Outlines that were asked for: a curve is never changed in place. @type {WeakMap<Curve, {u: number, at: Point}[]>} */
+/** Outlines that were asked for: a curve is never changed in place. @type {WeakMap<Shape, {u: number, at: Point}[]>} */
 const outlines = new WeakMap();
 
 /**
  * The outline as a chain of chords with the parameter of every vertex, seam at both ends.
- * @param {Curve} curve
+ * @param {Shape} curve
+ * @param {number} [chords] of one knot span
  * @returns {{u: number, at: Point}[]}
  */
-export function outline(curve) {
-  const known = outlines.get(curve) ?? trace(curve);
+export function outline(curve, chords = CHORDS) {
+  if (chords !== CHORDS) return trace(curve, chords);
+  const known = outlines.get(curve) ?? trace(curve, chords);
   outlines.set(curve, known);
   return known;
 }
 
 /**
- * @param {Curve} curve
+ * @param {Shape} curve
+ * @param {number} chords
  * @returns {{u: number, at: Point}[]}
  */
-function trace(curve) {
+function trace(curve, chords) {
   const { knots, points } = unrolled(curve);
   const p = curve.degree;
   /** @type {{u: number, at: Point}[]} */
@@ -70,8 +73,8 @@ function trace(curve) {
     const a = /** @type {number} */ (knots[span]);
     const b = /** @type {number} */ (knots[span + 1]);
     if (!(b > a)) continue;
-    for (let i = chain.length === 0 ? 0 : 1; i <= CHORDS; i += 1) {
-      const u = a + ((b - a) * i) / CHORDS;
+    for (let i = chain.length === 0 ? 0 : 1; i <= chords; i += 1) {
+      const u = a + ((b - a) * i) / chords;
       chain.push({ u, at: deBoor(knots, points, p, span, u) });
     }
   }

@@ -15,14 +15,18 @@
  * @typedef {import("../../js/directrix.js").View} View
  * @typedef {import("../../js/directrix.js").Connection} Kernel
  *
- * @typedef {object} Curve
- * @property {string} [name]
+ * @typedef {object} Shape A curve without what it is made of.
  * @property {number} degree
  * @property {"periodic" | "clamped"} form
  * @property {Point[]} points
  * @property {number[]} [knots]
+ *
+ * @typedef {object} Named
+ * @property {string} [name]
  * @property {number} height
  * @property {CompositionKey[]} composition
+ *
+ * @typedef {Shape & Named} Curve
  *
  * @typedef {object} Sampling
  * @property {"arc-length" | "parameter"} scheme

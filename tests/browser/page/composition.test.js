@@ -236,6 +236,7 @@ test("lines of equal mix are drawn for the chosen material, with a few names on 
   await of.selectOption("2");
   await eventually(async () => assert.notEqual(await picture(), first));
   assert.equal((await uiOf(page)).isoMaterial, 2);
+  await page.locator("[data-group-button=blend]").click();
   await page.locator("[data-box=stage-labels]").check();
   await page.locator("[data-box=isoComposition]").uncheck();
   await eventually(async () =>

@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
+import { runCommand } from "../commands.js";
 import { checkBox } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { attribute, h, write } from "../dom.js";
@@ -27,21 +28,20 @@ export function layersGroup(app) {
       },
     ),
   }));
+  const snap = checkBox({ name: "snap", text: [words.snap] }, () => void runCommand(app, "snap"));
   const select = h("select", { "aria-label": words.isoMaterialField, "data-select": "iso-material" });
   select.addEventListener("change", () => app.ui.set({ isoMaterial: Number(select.value) }));
   const material = row(words.isoMaterial, { element: h("span", { class: "field select" }, select) });
-  const labels = checkBox({ name: "stage-labels", text: [words.stageLabels] }, (on) => app.ui.set({ stageLabels: on }));
   return {
     name: "layers",
     heading: words.heading,
-    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), labels.element), material),
+    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element), material),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
-      const { layers, isoMaterial, stageLabels } = app.ui.value;
+      const { layers, isoMaterial, snap: snaps } = app.ui.value;
       const { materials } = app.store.document;
       for (const { name, set } of boxes) set(layers.includes(name));
-      labels.element.hidden = !layers.includes("inBetweens");
-      labels.set(stageLabels);
+      snap.set(snaps);
       material.hidden = !layers.includes("isoComposition");
       while (select.options.length < materials.length) select.append(h("option", {}));
       while (select.options.length > materials.length) select.remove(materials.length);

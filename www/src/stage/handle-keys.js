@@ -77,7 +77,7 @@ export function listenToKeys(app, handles) {
         return true;
       case "Delete":
       case "Backspace":
-        if (point === null) return false;
+        if (point === null || event.shiftKey) return false;
         remove(app, curve, app.ui.value.selection?.points ?? [point]);
         refocus();
         return true;

@@ -31,9 +31,9 @@ export function createHandles(app) {
     element: overlay,
 
     render() {
-      const { view, size, selection, layers, composing } = app.ui.value;
+      const { view, size, selection, layers, drawing, composing } = app.ui.value;
       if (!view) return;
-      overlay.hidden = composing || !layers.includes("controlPoints");
+      overlay.hidden = drawing || composing || !layers.includes("controlPoints");
       for (const group of groups) group.render(app, view, size);
       const point = singlePoint(selection);
       const chosen = selection && point !== null ? app.store.document.curves[selection.curve]?.points[point] : null;

@@ -26,6 +26,8 @@
  * @property {Note | null} note
  * @property {string[]} open names of the open groups
  * @property {string} tab the group shown on a phone
+ * @property {boolean} snap dragged points rest on the grid
+ * @property {boolean} drawing a tool has the canvas, and the handles stand back
  *
  * @typedef {object} Results
  * @property {CurvesDocument | null} matched the document that `match` or `problem` belongs to
@@ -44,6 +46,19 @@
  * @property {(text: string) => void} say speaks through the live region
  * @property {() => void} retry asks for the picture again
  * @property {() => void} cancel gives up running work
+ * @property {Tool | null} tool what has the canvas instead of the handles
+ *
+ * @typedef {object} Tool
+ * @property {(at: Point | null) => void} hover CSS pixels, null when the pointer leaves
+ * @property {(at: Point, event: PointerEvent) => void} tap a press and release in one place
+ * @property {(at: Point) => Stroke | null} stroke what a press begins that moves on; null to pan
+ * @property {() => void} render
+ * @property {() => void} close gives up
+ *
+ * @typedef {object} Stroke
+ * @property {(at: Point) => void} to
+ * @property {() => void} end
+ * @property {() => void} undo
  */
 import { strings } from "../strings.js";
 

@@ -28,14 +28,14 @@ export function keep(app) {
   let timer;
   const write = () => {
     clearTimeout(timer);
-    const { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab } = app.ui.value;
+    const { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
           directrix: VERSION,
           document: app.store.document,
           edited: app.store.edited,
-          ui: { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab },
+          ui: { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
         },
         "",
       );
