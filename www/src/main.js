@@ -42,14 +42,11 @@ import { originOf, Store } from "./state/store.js";
 import { createKeeper } from "./storage/keeper.js";
 import { strings } from "./strings.js";
 
-/** Layers a phone leaves out at first: at its scale the dots run into each other. */
-const CROWDED = "samples";
-
 const root = document.documentElement;
 
 /** @returns {Promise<void>} */
 async function start() {
-  const kernel = await connect({ module: "figure" });
+  const kernel = await connect({ module: "full" });
   const { document: first, edited, ui, kept } = await firstDocument(kernel);
   const store = new Store(first);
   store.open(first, edited, originOf(kept ? origin(kept) : {}));
@@ -73,9 +70,7 @@ async function firstDocument(kernel) {
     }
   }
   const { document, ui } = splitView(await completed(kernel, firstPreset));
-  const phone = matchMedia("(width < 600px)").matches;
-  const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
-  return { document, edited: false, ui: { ...ui, layers }, kept: null };
+  return { document, edited: false, ui, kept: null };
 }
 
 /**

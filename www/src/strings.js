@@ -371,6 +371,7 @@ export const strings = {
   blend: {
     heading: "Blend",
     stages: "Stages",
+    names: "Names on the in-betweens",
     phrase: (/** @type {number} */ stages) => `${plural(stages, "stage", "stages")} · Oklab`,
   },
 
@@ -418,7 +419,6 @@ export const strings = {
     },
     isoMaterial: "Equal mix of",
     isoMaterialField: "Material of the lines of equal mix",
-    stageLabels: "Names on in-betweens",
   },
 
   labels: {
@@ -437,7 +437,7 @@ export const strings = {
     group: (/** @type {string} */ curve) => `Composition along ${curve}`,
     help:
       "Arrow keys slide the key along the curve, with Shift ten times as far, with Alt a tenth. Page up and page down go to " +
-      "the previous and the next key. Insert adds a key after this one, Delete removes it, Escape takes the move back.",
+      "the previous and the next key. Insert adds a key after this one, Delete removes it, Escape takes the move back, and once more leaves the keys.",
     key: (/** @type {number} */ index, /** @type {number} */ of, /** @type {string} */ curve) =>
       `Key ${index} of ${of} on ${curve}`,
     spoken: (/** @type {string} */ name, /** @type {string} */ at, /** @type {string} */ mix) => `${name}, at ${at}, ${mix}`,
