@@ -46,15 +46,21 @@ test("ruling lines come back with every digit, and agree with the probe", () => 
 });
 
 test("one-to-one pairs take the place of the lines", () => {
-  const match = dx.match(amoeba);
-  const pairs = [
-    { u: 0.1 + 0.2, v: 1 / 3, value: 1e-300, verified: true, from: /** @type {[number, number]} */ ([0, 0]), to: /** @type {[number, number]} */ ([3, 4]) },
-    { u: 0.5, v: 0.6, value: -2.5e-7, verified: false },
-  ];
-  const [first, second] = read(linesCsv({ ...match, pairs }, 12));
-  assert.deepEqual([first.u, first.v, first.value].map(Number), [0.1 + 0.2, 1 / 3, 1e-300]);
-  assert.deepEqual([first.length, first.verified, first.cosine], ["13", "true", ""]);
-  assert.deepEqual([second.x1, second.length, second.verified, second.value], ["", "", "false", "-2.5e-7"]);
+  const match = dx.match({ ...amoeba, matching: { ...amoeba.matching, oneToOne: true } });
+  assert.ok(match.pairs.length > 40);
+  const rows = read(linesCsv(match, 0));
+  assert.equal(rows.length, match.pairs.length);
+  rows.forEach((row, i) => {
+    const { u, v, value, verified, from, to } = match.pairs[i];
+    assert.deepEqual([row.line, row.u, row.v].map(Number), [i, u, v]);
+    assert.deepEqual([row.x1, row.y1, row.x2, row.y2, row.value].map(Number), [...from, ...to, value]);
+    assert.ok(Math.abs(Number(row.length) - Math.hypot(from[0] - to[0], from[1] - to[1])) < 1e-12);
+    assert.deepEqual([row.cosine, row.verified], ["", String(verified)]);
+  });
+  const odd = { ...match.pairs[0], u: 0.1 + 0.2, v: 1 / 3, value: -1e-300, verified: false };
+  const [row] = read(linesCsv({ ...match, pairs: [odd] }, 12));
+  assert.deepEqual([row.u, row.v, row.value].map(Number), [0.1 + 0.2, 1 / 3, -1e-300]);
+  assert.equal(row.verified, "false");
 });
 
 test("stages come back point by point", () => {
