@@ -8,11 +8,12 @@ const amoeba = await preset("amoeba");
 const presets = await Promise.all((await preset("index")).map((/** @type {{id: string}} */ { id }) => preset(id)));
 
 /** Returns ever new documents: a control point moves by a thousandth each time. */
-function edits(/** @type {[number, number]} */ counts) {
+function edits(/** @type {[number, number]} */ counts, oneToOne = false) {
   let run = 0;
   return () => {
     const document = structuredClone(amoeba);
-    document.sampling.counts = counts;
+    document.sampling = { scheme: "arc-length", counts };
+    document.matching.oneToOne = oneToOne;
     document.curves[1].points[2][0] += ++run * 1e-3;
     return document;
   };
@@ -28,6 +29,37 @@ export default [
     prepare(dx) {
       const next = edits([44, 44]);
       return () => dx.paint(next(), frame);
+    },
+  },
+  {
+    name: "edit to painted 800 x 600 picture, one to one, 44 x 44",
+    budget: 16,
+    prepare(dx) {
+      const next = edits([44, 44], true);
+      return () => dx.paint(next(), frame);
+    },
+  },
+  {
+    name: "greedy matching and insertion, 44 x 44",
+    budget: 8,
+    prepare(dx) {
+      const next = edits([44, 44], true);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "greedy matching and insertion, 200 x 200",
+    budget: 50,
+    prepare(dx) {
+      const next = edits([200, 200], true);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "greedy matching and insertion, 1000 x 1000",
+    prepare(dx) {
+      const next = edits([1000, 1000], true);
+      return () => dx.match(next());
     },
   },
   {

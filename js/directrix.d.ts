@@ -83,7 +83,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -112,6 +112,20 @@ export interface Line {
   visible: boolean;
 }
 
+/** A one-to-one line; at a gap that could not be verified, a line of the star matching. */
+export interface Pair {
+  /** Parameter on the first counter-clockwise curve. */
+  u: number;
+  /** Parameter on the second one, ascending beyond the end of its domain. */
+  v: number;
+  /** f */
+  value: number;
+  /** Whether it meets no edge of the refined polygons and crosses no other pair, checked edge by edge and pair by pair. */
+  verified: boolean;
+  from: Point;
+  to: Point;
+}
+
 /** What a set of lines is worth. */
 export interface LineTotals {
   count: number;
@@ -138,9 +152,9 @@ export interface Match {
   samples: Samples[];
   /** In cyclic order. */
   lines: Line[];
-  /** One-to-one pairs; empty in this release. */
-  pairs: { u: number; v: number; value: number; verified: boolean }[];
-  /** Parameters [u, v] of every line, both ascending beyond the ends of their domains; empty unless `ok`. */
+  /** Lines with ends of their own, in cyclic order; empty unless the document asks for them and `ok`. */
+  pairs: Pair[];
+  /** Parameters [u, v] of every line, or pair where there are pairs, ascending beyond the ends of their domains; empty unless `ok`. */
   reparameterisation: [number, number][];
   totals: {
     /** Every line that the growth accepted, before redundant ones are removed. */
@@ -183,7 +197,7 @@ export interface IsolineOptions {
 
 /** What the band holds at a point. */
 export interface Probe {
-  /** Index of the nearest ruling line. */
+  /** Index of the nearest ruling line: among the pairs where there are pairs. */
   line: number;
   s: number;
   u: number;
@@ -225,7 +239,7 @@ export interface PictureOptions extends PictureSize {
   background?: boolean;
   /** Place of the current in-between curve, 0 to 1; null hides it. Default: the document's. */
   s?: number | null;
-  /** Index of a ruling line to lift out. */
+  /** Index of a ruling line to lift out: among the pairs where there are pairs. */
   line?: number | null;
   /** Index of the material whose lines of equal fraction the layer `isoComposition` shows. Default: the document's, else 0. */
   isoMaterial?: number | null;
@@ -254,6 +268,57 @@ export interface Job {
   step(budget: number): Progress;
 }
 
+/** A closed outline that was read; y up. */
+export interface Shape {
+  name: string;
+  /** Whether it was drawn closed; else a straight edge joins its ends. */
+  closed: boolean;
+  /** Vertices in order, the first one not repeated; curves are resolved into them. */
+  points: Point[];
+  /** Indices of vertices that were drawn as corners; empty for lists of points. */
+  corners: number[];
+  /** Area inside. */
+  area: number;
+  /** Length of the outline. */
+  length: number;
+}
+
+/** What was read, and what was found and could not be. */
+export interface ShapeList {
+  shapes: Shape[];
+  skipped: { name: string; reason: string }[];
+}
+
+export interface FitOptions {
+  /** Largest distance between the curve and the polyline through the points, above 0. */
+  tolerance: number;
+  /** Whether corners stay or are rounded within the tolerance. Default `keep`. */
+  corners?: "keep" | "smooth";
+  /** Whether the curve meets every point; the tolerance then only tells which corners there are. Default false. */
+  through?: boolean;
+  /** Corners that are kept, as indices of the points. Default: found by the angle, from 40 degrees, on the scale of the tolerance. */
+  cornerIndices?: number[];
+  /**
+   * What becomes of the ends of a list whose last point does not repeat the first: a straight edge joins them, and `trim`
+   * leaves out what they overlap, as the ends of a drawn stroke do. Default `trim`; `join` where corners are given or points are met.
+   */
+  ends?: "trim" | "join";
+}
+
+/** A curve near a list of points. */
+export interface FittedCurve {
+  /** Periodic and cubic over [0, 1], from the first point on; fit for a document. */
+  curve: { degree: number; form: "periodic"; points: Point[]; knots: number[] };
+  /** Bound of the distance between the curve and the polyline through the points, in both directions. */
+  error: number;
+  /** Indices of the points that are corners of the curve. */
+  corners: number[];
+  /** Whether the curve does not meet itself. */
+  simple: boolean;
+  /** Number of points left out at the ends. */
+  trimmed: number;
+}
+
 /** The functions of a module. All throw `DirectrixError`. */
 export interface Directrix {
   match(document: DocumentInput): Match;
@@ -267,6 +332,10 @@ export interface Directrix {
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  fitCurve(points: Point[], options: FitOptions): FittedCurve;
   job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
 }
 
@@ -321,6 +390,7 @@ export type ErrorCode =
   | "zero-length"
   | "self-intersection"
   | "contact"
+  | "not-in-module"
   | "trap"
   | "closed"
   | "failed";
