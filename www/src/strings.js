@@ -482,7 +482,9 @@ export const strings = {
 
   advice: {
     notCovered: (/** @type {number} */ a, /** @type {number} */ b) =>
-      `Not covered: ${a} + ${b} vertices. Raise the samples or move the curves apart.`,
+      `Not covered: ${a} + ${b} vertices.`,
+    openPocket: "Some see nothing of the other curve: widen the mouth of the pocket.",
+    moveApart: "Raise the samples or move the curves apart.",
     orphan: "Some vertices see nothing of the other curve. Move a point, or raise the samples.",
     stuck: "The growth came to a dead end. Raise the samples or change a weight.",
     disjoint: "No line connects the two curves. Move one nearer to the other.",
