@@ -496,8 +496,9 @@ export const strings = {
     points: (/** @type {number} */ count) => plural(count, "point", "points"),
     wasOpen: ", open ends joined",
     fitting: "Fitting",
-    result: (/** @type {number} */ points, /** @type {string} */ error, /** @type {string} */ unit) =>
-      `${plural(points, "control point", "control points")}, error ${error}\u00a0${unit}`,
+    controls: (/** @type {number} */ points) => plural(points, "control point", "control points"),
+    error: (/** @type {string} */ error, /** @type {string} */ unit) => `error ${error}\u00a0${unit}`,
+    exact: "exact",
     crosses: "It crosses itself",
     place: (/** @type {string[]} */ size, /** @type {string} */ unit, /** @type {string[] | null} */ middle) =>
       `${size[0]} × ${size[1]}\u00a0${unit} about ${middle ? `(${middle.join(", ")})` : "the origin"}; one unit of the drawing is one ${unit}.`,

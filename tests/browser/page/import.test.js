@@ -67,7 +67,7 @@ const chosen = (page) =>
 const results = (page) =>
   eventually(async () => {
     const found = await page.locator("[data-shape]:has(input:checked) .import-result").allTextContents();
-    assert.ok(found.length > 0 && found.every((text) => /control points?, error/.test(text)), found.join("; "));
+    assert.ok(found.length > 0 && found.every((text) => /control points?, (error|exact)/.test(text)), found.join("; "));
     return found;
   });
 

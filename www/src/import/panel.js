@@ -10,7 +10,7 @@ import { row } from "../controls/row.js";
 import { slider } from "../controls/slider.js";
 import { h, svg, write } from "../dom.js";
 import { openDocument } from "../files/open.js";
-import { fixed, significantText } from "../format.js";
+import { editable, fixed, significantText } from "../format.js";
 import { openPanel } from "../frame/panel.js";
 import { problem } from "../painter.js";
 import { curveName } from "../state/app.js";
@@ -25,6 +25,11 @@ const FINEST = 0.02;
 const COARSEST = 5;
 const FIRST = 0.2;
 const STEPS = 100;
+
+/** An error below this share of the size is rounding. */
+const EXACT = 1e-9;
+/** Digits of coordinates go to a hundredth of the tolerance: more would only be in the way of editing. */
+const DIGITS = 0.01;
 
 const PREVIEW = { width: 326, height: 176 };
 const THUMBNAIL = { width: 40, height: 32 };
@@ -203,9 +208,9 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     });
     const value = Math.round((Math.log(percent / FINEST) / Math.log(COARSEST / FINEST)) * STEPS);
     tolerance.set(value);
-    tolerance.input.setAttribute("aria-valuetext", words.percent(significantText(percent)));
+    tolerance.input.setAttribute("aria-valuetext", words.percent(editable(percent, 0)));
     tolerance.input.disabled = isList && through;
-    write(toleranceText, words.percent(significantText(percent)));
+    write(toleranceText, words.percent(editable(percent, 0)));
     cornerChoice.set(corners);
     throughBox.set(through);
     centerBox.set(centered);
@@ -215,7 +220,8 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     preview.style.display = all.length > 0 ? "" : "none";
     if (all.length > 0) {
       const shapesShown = shown.map(({ shape, curve }, k) => ({ points: shape.points, curve: curve ?? lastCurve(k) }));
-      drawPreview(preview, frameOf(all, PREVIEW.width, PREVIEW.height), shapesShown);
+      const held = shapesShown.flatMap(({ curve }) => curve?.points ?? []);
+      drawPreview(preview, frameOf([...all, ...held], PREVIEW.width, PREVIEW.height), shapesShown);
       const { low, high } = boxOf(all);
       const size = [high[0] - low[0], high[1] - low[1]].map((v) => significantText(v));
       const middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2].map((v) => fixed(v, 2));
@@ -251,7 +257,9 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     if (!on) return { text: read, tone: "" };
     if (fitted && "message" in fitted) return { text: fitted.message, tone: "import-error" };
     if (!fitted) return { text: words.fitting, tone: "" };
-    const text = words.result(fitted.curve.points.length, significantText(fitted.error), app.store.document.unit);
+    const isExact = fitted.error < EXACT * sizeOf(shape.points);
+    const error = isExact ? words.exact : words.error(significantText(fitted.error), app.store.document.unit);
+    const text = `${words.controls(fitted.curve.points.length)}, ${error}`;
     return fitted.simple ? { text, tone: "" } : { text: `${text}. ${words.crosses}`, tone: "warning" };
   }
 
@@ -265,7 +273,8 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     const by = centered ? [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2] : [0, 0];
     return shown.flatMap(({ shape, curve }) => {
       if (!curve) return [];
-      const points = curve.points.map(([x, y]) => /** @type {Point} */ ([x - by[0], y - by[1]]));
+      const places = isList && through ? 12 : decimals((percent / 100) * sizeOf(shape.points));
+      const points = curve.points.map(([x, y]) => /** @type {Point} */ ([rounded(x - by[0], places), rounded(y - by[1], places)]));
       return [{ ...curve, name: shape.name, points }];
     });
   }
@@ -310,3 +319,9 @@ function named(document, index, name) {
 function percentOf(value) {
   return Number((FINEST * (COARSEST / FINEST) ** (value / STEPS)).toPrecision(2));
 }
+
+/** Decimal places that keep a tolerance to a hundredth. @param {number} tolerance */
+const decimals = (tolerance) => Math.min(12, Math.max(0, Math.ceil(-Math.log10(tolerance * DIGITS))));
+
+/** @param {number} value @param {number} places */
+const rounded = (value, places) => Number(value.toFixed(places)) + 0;
