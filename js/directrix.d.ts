@@ -83,7 +83,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -112,6 +112,20 @@ export interface Line {
   visible: boolean;
 }
 
+/** A one-to-one line; at a gap that could not be verified, a line of the star matching. */
+export interface Pair {
+  /** Parameter on the first counter-clockwise curve. */
+  u: number;
+  /** Parameter on the second one, ascending beyond the end of its domain. */
+  v: number;
+  /** f */
+  value: number;
+  /** Whether it meets no edge of the refined polygons and crosses no other pair, checked edge by edge and pair by pair. */
+  verified: boolean;
+  from: Point;
+  to: Point;
+}
+
 /** What a set of lines is worth. */
 export interface LineTotals {
   count: number;
@@ -138,11 +152,16 @@ export interface Match {
   samples: Samples[];
   /** In cyclic order. */
   lines: Line[];
-  /** One-to-one pairs; empty in this release. */
-  pairs: { u: number; v: number; value: number; verified: boolean }[];
-  /** Parameters [u, v] of every line, both ascending beyond the ends of their domains; empty unless `ok`. */
+  /** Lines with ends of their own, in cyclic order; empty unless the document asks for them and `ok`. */
+  pairs: Pair[];
+  /** Parameters [u, v] of every line, or pair where there are pairs, ascending beyond the ends of their domains; empty unless `ok`. */
   reparameterisation: [number, number][];
-  totals: { lines: LineTotals | null; pairs: LineTotals | null };
+  totals: {
+    /** Every line that the growth accepted, before redundant ones are removed. */
+    growth: { count: number; sum: number } | null;
+    lines: LineTotals | null;
+    pairs: LineTotals | null;
+  };
 }
 
 /** A closed polyline at the share s of the way from curve 1 to curve 2. */
@@ -178,7 +197,7 @@ export interface IsolineOptions {
 
 /** What the band holds at a point. */
 export interface Probe {
-  /** Index of the nearest ruling line. */
+  /** Index of the nearest ruling line: among the pairs where there are pairs. */
   line: number;
   s: number;
   u: number;
@@ -220,7 +239,7 @@ export interface PictureOptions extends PictureSize {
   background?: boolean;
   /** Place of the current in-between curve, 0 to 1; null hides it. Default: the document's. */
   s?: number | null;
-  /** Index of a ruling line to lift out. */
+  /** Index of a ruling line to lift out: among the pairs where there are pairs. */
   line?: number | null;
   /** Index of the material whose lines of equal fraction the layer `isoComposition` shows. Default: the document's, else 0. */
   isoMaterial?: number | null;

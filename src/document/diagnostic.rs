@@ -49,6 +49,13 @@ pub enum Diagnostic {
         /// Indices of the vertices.
         vertices: Vec<usize>,
     },
+    /// A gap between two lines in which inserted lines meet a polygon or another line; it keeps the lines it had.
+    UnverifiedGap {
+        /// Indices of the pairs from one side of the gap to the other.
+        lines: Vec<usize>,
+        /// Where an inserted line failed.
+        at: DVec2,
+    },
     /// Neither curve lies inside the other.
     Disjoint,
     /// Curves at different heights whose projections cross.
@@ -74,6 +81,7 @@ impl Diagnostic {
             Self::OpposedNormals { .. } => "opposed-normals",
             Self::Orphan { .. } => "orphan",
             Self::Stuck { .. } => "stuck",
+            Self::UnverifiedGap { .. } => "unverified-gap",
             Self::Disjoint => "disjoint",
             Self::Crossing { .. } => "crossing",
             Self::CoarseSampling { .. } => "coarse-sampling",
@@ -116,6 +124,11 @@ impl fmt::Display for Diagnostic {
                     "{} vertices of curve {curve} got no line: better lines are in the way",
                     vertices.len()
                 )
+            }
+            Self::UnverifiedGap { at, .. } => {
+                write!(f, "no one-to-one lines fit into a gap")?;
+                near(f, at)?;
+                write!(f, "; it keeps the lines it had")
             }
             Self::Disjoint => write!(f, "neither curve lies inside the other; move one curve into the other"),
             Self::Crossing { at } => {

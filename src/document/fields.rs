@@ -174,11 +174,6 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
     }
     later(node, &["objective", "linePrice", "lines"], "settings of exact methods")?;
     later(node, &["shift"], "settings of the method `shift`")?;
-    if let Some(flag) = node.get("oneToOne")?
-        && flag.flag()?
-    {
-        return Err(flag.not_yet("one-to-one lines"));
-    }
     if let Some(policy) = node.get("policy")?
         && policy.choice(&["strict", "repair"])? != 0
     {
@@ -203,7 +198,7 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
             1 => NegativeMode::Clamp,
             _ => NegativeMode::Half,
         },
-        one_to_one: false,
+        one_to_one: node.get("oneToOne")?.map_or(Ok(false), |n| n.flag())?,
         policy: Policy::Strict,
     })
 }

@@ -202,7 +202,6 @@ mod tests {
             ("lines", json!(44)),
             ("shift", json!("best")),
             ("shift", json!(4)),
-            ("oneToOne", json!(true)),
             ("policy", json!("repair")),
         ] {
             let path = format!("matching.{field}");
@@ -234,6 +233,7 @@ mod tests {
         expect_at(Code::Type, "sampling.minCount", "/sampling/minCount", json!(12.5));
         expect_at(Code::Range, "matching.normalWeight", "/matching/normalWeight", json!(-1));
         expect_at(Code::Range, "matching.distanceWeight", "/matching/distanceWeight", json!(101));
+        expect_at(Code::Type, "matching.oneToOne", "/matching/oneToOne", json!(1));
         expect_at(Code::Range, "blend.stages", "/blend/stages", json!(0));
         expect_at(Code::Limit, "blend.stages", "/blend/stages", json!(201));
         expect_at(Code::Range, "materials", "/materials", json!([]));

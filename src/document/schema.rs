@@ -148,7 +148,7 @@ pub struct MatchingSpec {
     pub alignment_weight: f64,
     /// How negative products count.
     pub negative: NegativeMode,
-    /// Whether vertices are inserted until every line has its own ends: not in this release.
+    /// Whether vertices are inserted until every line has its own ends.
     pub one_to_one: bool,
     /// What to do where the constraints cannot hold.
     pub policy: Policy,

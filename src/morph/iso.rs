@@ -133,7 +133,6 @@ fn root(x: f64, y: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::curve::{ClosedBSpline, Form};
-    use crate::matching::RulingLine;
     use crate::material::{Composition, Profile};
     use glam::dvec2;
     use proptest::prelude::*;
@@ -145,15 +144,14 @@ mod tests {
             let points = (0..24).map(|k| r * DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 24.0));
             ClosedBSpline::new(3, Form::Periodic, points.collect(), None).expect("a valid curve")
         };
-        let parameters: Vec<f64> = (0..lines).map(|k| k as f64 / lines as f64).collect();
-        let straight: Vec<RulingLine> =
-            (0..lines).map(|k| RulingLine { from: k, to: k, lifted: k as i64, value: 1.0 }).collect();
+        let parameters = (0..lines).map(|k| k as f64 / lines as f64);
+        let straight: Vec<(f64, f64)> = parameters.map(|u| (u, u)).collect();
         let profiles = keys.map(|keys| {
             let pair = |f: f64| Composition::new(vec![f, 1.0 - f]).expect("a composition");
             Profile::new(keys.iter().map(|&(at, f)| (at, pair(f))).collect()).expect("a profile")
         });
         let compose = |curve: usize, u: f64| profiles[curve].at(u);
-        Band::new(&[curve(1.0), curve(3.0)], [&parameters, &parameters], &straight, compose, 4)
+        Band::new(&[curve(1.0), curve(3.0)], &straight, compose, 4)
     }
 
     fn fraction(band: &Band, point: DVec2) -> f64 {

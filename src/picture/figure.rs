@@ -3,7 +3,7 @@
 use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
 use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
-use crate::matching::Matching;
+use crate::matching::{Problem, RulingLine};
 use crate::material::{Oklab, mix_colors};
 use crate::morph::{Band, unit_cells};
 use glam::DVec2;
@@ -57,8 +57,8 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         drawing.in_betweens(band);
         drawing.iso_lines(band);
     }
-    if let Outcome::Matched { matching, .. } = &solution.outcome {
-        drawing.lines(matching);
+    if let Some((problem, lines, _)) = solution.lines() {
+        drawing.lines(problem, lines);
     }
     if let (Some(band), Some(s)) = (solution.band(), options.s) {
         drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
@@ -158,15 +158,15 @@ impl Drawing<'_> {
         }
     }
 
-    fn lines(&mut self, matching: &Matching) {
-        let Some((_, [first, second])) = self.solution.model.pair() else { return };
+    fn lines(&mut self, problem: &Problem, lines: &[RulingLine]) {
+        let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
-            matching.lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
+            lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
         if self.shows(LayerName::Value) {
-            let values = matching.lines.iter().map(|line| line.value);
+            let values = lines.iter().map(|line| line.value);
             let (low, high) =
                 values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
-            for (line, segment) in matching.lines.iter().zip(&segments) {
+            for (line, segment) in lines.iter().zip(&segments) {
                 let share = if high > low { (line.value - low) / (high - low) } else { 1.0 };
                 let style = StrokeStyle::solid(2.0, viridis(share), 1.0);
                 self.stroke("value", Path::open(segment.clone()), style);
