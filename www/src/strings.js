@@ -250,7 +250,7 @@ export const strings = {
     zoom: "Zoom and grid",
     probe: "Ruling lines",
     probeHelp: "Left and right go from one ruling line to the next, up and down along it. Escape closes the reading.",
-    drop: "Drop a document to open it",
+    drop: "Drop a document, a drawing or points to open them",
   },
 
   handles: {
@@ -518,6 +518,44 @@ export const strings = {
     notNumber: "Enter a number",
     range: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a number from ${low} to ${high}`,
     whole: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a whole number from ${low} to ${high}`,
+  },
+
+  import: {
+    heading: (/** @type {string} */ file) => `Import ${file}`,
+    pasted: "the clipboard",
+    shapes: "Shapes",
+    skipped: (/** @type {number} */ count) => `${count} skipped`,
+    tolerance: "Tolerance",
+    percent: (/** @type {string} */ value) => `${value}\u00a0%`,
+    corners: "Corners",
+    keep: "Keep",
+    smooth: "Smooth",
+    through: "Through the points",
+    center: "Centre at the origin",
+    points: (/** @type {number} */ count) => plural(count, "point", "points"),
+    wasOpen: ", open ends joined",
+    fitting: "Fitting",
+    controls: (/** @type {number} */ points) => plural(points, "control point", "control points"),
+    error: (/** @type {string} */ error, /** @type {string} */ unit) => `error ${error}\u00a0${unit}`,
+    exact: "exact",
+    crosses: "It crosses itself",
+    place: (/** @type {string[]} */ size, /** @type {string} */ unit, /** @type {string[] | null} */ middle) =>
+      `${size[0]} × ${size[1]}\u00a0${unit} about ${middle ? `(${middle.join(", ")})` : "the origin"}; one unit of the drawing is one ${unit}.`,
+    open: "Open as new document",
+    replace: (/** @type {string} */ curve) => `Replace ${inSentence(curve)}`,
+    add: "Add as a curve",
+    chooseOne: "To replace a curve, choose one shape.",
+    chooseSome: "Choose one or two shapes.",
+    found: (/** @type {number} */ shapes, /** @type {number} */ skipped) =>
+      `${plural(shapes, "shape", "shapes")} found${skipped > 0 ? `, ${skipped} skipped` : ""}`,
+    nothing: "it holds no closed shape",
+    onlySkipped: (/** @type {string} */ name, /** @type {string} */ reason, /** @type {number} */ count) =>
+      `it holds no closed shape: ${name}: ${reason}${count > 1 ? ` (and ${count - 1} more)` : ""}`,
+    opened: (/** @type {string} */ title) => `Opened ${title}`,
+    placed: (/** @type {string} */ curve, /** @type {number} */ points) =>
+      `${curve} now has ${plural(points, "control point", "control points")}`,
+    onlyFirst: (/** @type {string} */ file, /** @type {number} */ count) =>
+      `${count} files were dropped; only ${file} was opened.`,
   },
 
   panel: {
