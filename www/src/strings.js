@@ -181,6 +181,7 @@ export const strings = {
     galleryItem: "Gallery…",
     file: "File",
     export: "Export",
+    exportItem: "Export…",
     menu: "Menu",
     panel: "Settings",
     toDark: "Use the dark theme",
@@ -236,9 +237,32 @@ export const strings = {
   },
 
   exports: {
-    svg: "Picture as SVG",
-    png: "Picture as PNG",
-    json: "Document as JSON",
+    heading: "Export",
+    format: "Format",
+    scale: "Scale",
+    size: "Size in pixels",
+    width: "Width",
+    height: "Height",
+    theme: "Colours",
+    themes: { light: "Light", dark: "Dark" },
+    background: "Background",
+    transparent: "transparent",
+    table: "Table",
+    tables: { lines: "Ruling lines", stages: "Stages" },
+    notes: {
+      png: "The figure as on screen, with its layers. Sides up to 4096 pixels.",
+      svg: "The figure as on screen, with its layers, sharp at any size.",
+      lines: "One row for each ruling line: parameters, ends, value, cosine of the normals, length.",
+      stages: "One row for each point of the curves in between.",
+      json: "The document with its view, to be opened again.",
+    },
+    noLines: "there are no ruling lines",
+    noStages: "there are no stages, because the matching is not complete",
+    download: "Download",
+    downloaded: (/** @type {string} */ file) => `Downloaded ${file}`,
+    copy: "Copy",
+    copied: "Copied to the clipboard",
+    failed: (/** @type {string} */ reason) => `That did not work: ${reason}.`,
   },
 
   canvas: {
@@ -509,7 +533,6 @@ export const strings = {
     open: (/** @type {string} */ file, /** @type {string} */ reason) =>
       `Could not open ${file}: ${reason}. The open document is unchanged.`,
     notJson: "it is not JSON",
-    export: (/** @type {string} */ reason) => `Could not export: ${reason}.`,
     save: (/** @type {string} */ file, /** @type {string} */ reason) =>
       `Could not save ${file}: ${reason}. Save a copy elsewhere.`,
   },
