@@ -1,7 +1,11 @@
 /** A curves document from an edit to its picture. Every run edits the document, so that nothing comes from the cache. */
 import { readFile } from "node:fs/promises";
 
-const amoeba = JSON.parse(await readFile(new URL("../www/presets/amoeba.json", import.meta.url), "utf8"));
+const preset = async (/** @type {string} */ file) =>
+  JSON.parse(await readFile(new URL(`../www/presets/${file}.json`, import.meta.url), "utf8"));
+const amoeba = await preset("amoeba");
+/** @type {any[]} */
+const presets = await Promise.all((await preset("index")).map((/** @type {{id: string}} */ { id }) => preset(id)));
 
 /** Returns ever new documents: a control point moves by a thousandth each time. */
 function edits(/** @type {[number, number]} */ counts, oneToOne = false) {
@@ -79,6 +83,21 @@ export default [
     prepare(dx) {
       const next = edits([1000, 1000]);
       return () => dx.match(next());
+    },
+  },
+  {
+    // As the page does it; there are more presets than the cache remembers.
+    name: "open a preset: defaults, fit, matching, picture 1136 x 820",
+    budget: 100,
+    prepare(dx) {
+      const size = { width: 1136, height: 820 };
+      let run = 0;
+      return () => {
+        const { view: _, ...document } = dx.defaults(presets[run++ % presets.length]);
+        const view = dx.fit(document, size);
+        dx.match(document);
+        return dx.paint(document, { ...size, view, s: 0.4 });
+      };
     },
   },
   {

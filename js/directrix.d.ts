@@ -156,7 +156,12 @@ export interface Match {
   pairs: Pair[];
   /** Parameters [u, v] of every line, or pair where there are pairs, ascending beyond the ends of their domains; empty unless `ok`. */
   reparameterisation: [number, number][];
-  totals: { lines: LineTotals | null; pairs: LineTotals | null };
+  totals: {
+    /** Every line that the growth accepted, before redundant ones are removed. */
+    growth: { count: number; sum: number } | null;
+    lines: LineTotals | null;
+    pairs: LineTotals | null;
+  };
 }
 
 /** A closed polyline at the share s of the way from curve 1 to curve 2. */
@@ -263,6 +268,57 @@ export interface Job {
   step(budget: number): Progress;
 }
 
+/** A closed outline that was read; y up. */
+export interface Shape {
+  name: string;
+  /** Whether it was drawn closed; else a straight edge joins its ends. */
+  closed: boolean;
+  /** Vertices in order, the first one not repeated; curves are resolved into them. */
+  points: Point[];
+  /** Indices of vertices that were drawn as corners; empty for lists of points. */
+  corners: number[];
+  /** Area inside. */
+  area: number;
+  /** Length of the outline. */
+  length: number;
+}
+
+/** What was read, and what was found and could not be. */
+export interface ShapeList {
+  shapes: Shape[];
+  skipped: { name: string; reason: string }[];
+}
+
+export interface FitOptions {
+  /** Largest distance between the curve and the polyline through the points, above 0. */
+  tolerance: number;
+  /** Whether corners stay or are rounded within the tolerance. Default `keep`. */
+  corners?: "keep" | "smooth";
+  /** Whether the curve meets every point; the tolerance then only tells which corners there are. Default false. */
+  through?: boolean;
+  /** Corners that are kept, as indices of the points. Default: found by the angle, from 40 degrees, on the scale of the tolerance. */
+  cornerIndices?: number[];
+  /**
+   * What becomes of the ends of a list whose last point does not repeat the first: a straight edge joins them, and `trim`
+   * leaves out what they overlap, as the ends of a drawn stroke do. Default `trim`; `join` where corners are given or points are met.
+   */
+  ends?: "trim" | "join";
+}
+
+/** A curve near a list of points. */
+export interface FittedCurve {
+  /** Periodic and cubic over [0, 1], from the first point on; fit for a document. */
+  curve: { degree: number; form: "periodic"; points: Point[]; knots: number[] };
+  /** Bound of the distance between the curve and the polyline through the points, in both directions. */
+  error: number;
+  /** Indices of the points that are corners of the curve. */
+  corners: number[];
+  /** Whether the curve does not meet itself. */
+  simple: boolean;
+  /** Number of points left out at the ends. */
+  trimmed: number;
+}
+
 /** The functions of a module. All throw `DirectrixError`. */
 export interface Directrix {
   match(document: DocumentInput): Match;
@@ -276,6 +332,10 @@ export interface Directrix {
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  fitCurve(points: Point[], options: FitOptions): FittedCurve;
   job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
 }
 
@@ -330,6 +390,7 @@ export type ErrorCode =
   | "zero-length"
   | "self-intersection"
   | "contact"
+  | "not-in-module"
   | "trap"
   | "closed"
   | "failed";

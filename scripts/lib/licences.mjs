@@ -12,9 +12,7 @@ import { root } from "./paths.mjs";
  * @property {string} licence an SPDX expression
  * @property {string} text of its licence files
  *
- * @typedef {{id: string, name: string, version: string, license: string | null, manifest_path: string,
- *   targets: {kind: string[]}[]}} CratePackage
- * @typedef {{id: string, deps: {pkg: string, dep_kinds: {kind: string | null}[]}[]}} CrateNode
+ * @typedef {{name: string, version: string, license: string | null, manifest_path: string}} CratePackage
  */
 
 /** Names of files that hold a licence or the notices it asks for. */
@@ -28,30 +26,24 @@ const TARGET = "wasm32-unknown-unknown";
  * @returns {Promise<Part[]>}
  */
 export async function crates() {
-  const { stdout } = await promisify(execFile)(
-    "cargo",
-    ["metadata", "--format-version", "1", "--locked", "--offline", "--all-features", "--filter-platform", TARGET],
-    { cwd: root, maxBuffer: 64 * 1024 * 1024 },
-  );
-  const metadata = JSON.parse(stdout);
-  const packages = new Map(/** @type {CratePackage[]} */ (metadata.packages).map((each) => [each.id, each]));
-  const nodes = new Map(/** @type {CrateNode[]} */ (metadata.resolve.nodes).map((each) => [each.id, each]));
-  const [own] = [...packages.values()].filter(({ name }) => name === "directrix");
-  const reached = new Set([own.id]);
-  for (const id of reached) {
-    for (const { pkg, dep_kinds } of nodes.get(id)?.deps ?? []) {
-      const ordinary = dep_kinds.some(({ kind }) => kind === null);
-      const runsAtBuild = packages.get(pkg)?.targets.some(({ kind }) => kind.includes("proc-macro"));
-      if (ordinary && !runsAtBuild) reached.add(pkg);
-    }
-  }
-  reached.delete(own.id);
+  const tree = await cargo([
+    ...["tree", "--package", "directrix", "--all-features", "--target", TARGET, "--edges", "normal,no-proc-macro"],
+    ...["--prefix", "none", "--no-dedupe", "--format", "{p}"],
+  ]);
+  const shipped = new Set(tree.split("\n").map((line) => line.split(" ", 2).join(" ")));
+  const metadata = JSON.parse(await cargo(["metadata", "--format-version", "1", "--all-features"]));
   return Promise.all(
-    [...reached].map(async (id) => {
-      const each = /** @type {CratePackage} */ (packages.get(id));
-      return partOf(each.name, each.version, each.license, dirname(each.manifest_path));
-    }),
+    /** @type {CratePackage[]} */ (metadata.packages)
+      .filter(({ name, version }) => name !== "directrix" && shipped.has(`${name} v${version}`))
+      .map(({ name, version, license, manifest_path }) => partOf(name, version, license, dirname(manifest_path))),
   );
+}
+
+/** @param {string[]} options */
+async function cargo(options) {
+  const limits = { cwd: root, maxBuffer: 64 * 1024 * 1024 };
+  const { stdout } = await promisify(execFile)("cargo", [...options, "--locked", "--offline"], limits);
+  return stdout;
 }
 
 /**

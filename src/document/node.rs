@@ -157,6 +157,18 @@ impl<'a> Node<'a> {
         *self.value == Json::Null
     }
 
+    /// Tells whether the value is a list.
+    #[cfg(feature = "import")]
+    pub(crate) fn is_list(&self) -> bool {
+        matches!(self.value, Json::List(_))
+    }
+
+    /// Tells whether the value is an object.
+    #[cfg(feature = "import")]
+    pub(crate) fn is_object(&self) -> bool {
+        matches!(self.value, Json::Object(_))
+    }
+
     /// An error at this value.
     pub(crate) fn error(&self, code: Code, message: String) -> DocumentError {
         let mut path = String::new();

@@ -47,8 +47,16 @@ struct PairResult {
 
 #[derive(Serialize)]
 struct TotalsResult {
+    growth: Option<GrowthTotals>,
     lines: Option<LineTotals>,
     pairs: Option<LineTotals>,
+}
+
+/// The lines that the growth accepted, before redundant ones are removed.
+#[derive(Serialize)]
+struct GrowthTotals {
+    count: usize,
+    sum: f64,
 }
 
 #[derive(Serialize)]
@@ -149,6 +157,7 @@ impl MatchResult {
                 .band()
                 .map_or_else(Vec::new, |band| band.lines().map(|ruling| [ruling.u, ruling.v]).collect()),
             totals: TotalsResult {
+                growth: matched.map(|(_, matching, _)| growth_totals(matching)),
                 lines: matched.map(|(_, matching, _)| line_totals(&matching.totals)),
                 pairs: pairs.map(|pairs| line_totals(&pairs.totals)),
             },
@@ -164,6 +173,11 @@ fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
         .iter()
         .map(|line| LineResult { from: line.from, to: line.to, value: line.value, visible: visible(line) })
         .collect()
+}
+
+fn growth_totals(matching: &Matching) -> GrowthTotals {
+    let growth = &matching.growth;
+    GrowthTotals { count: growth.len(), sum: growth.iter().map(|line| line.value).sum() }
 }
 
 fn pair_results(pairs: &OneToOne) -> Vec<PairResult> {

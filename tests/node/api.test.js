@@ -40,6 +40,8 @@ test("match gives samples, lines in cyclic order and totals that certify them", 
   assert.ok(totals.eta > 0.8 && totals.eta <= 1);
   assert.deepEqual([totals.crossings, totals.blocked, totals.uncovered], [0, 0, [[], []]]);
   assert.deepEqual([match.pairs, match.totals.pairs], [[], null]);
+  const { growth } = match.totals;
+  assert.ok(growth && growth.count > totals.count && growth.sum > totals.sum, "redundant lines are removed, and each had a value");
   const ascending = (/** @type {0 | 1} */ axis) =>
     match.reparameterisation.every((pair, k, all) => k === 0 || pair[axis] >= all[k - 1][axis]);
   assert.ok(ascending(0) && ascending(1));
@@ -141,7 +143,7 @@ test("a drawing in progress shows what is there and says what is missing", () =>
     assert.equal(match.ok, false);
     assert.deepEqual(match.diagnostics.map(({ code }) => code), ["incomplete"]);
     assert.ok(match.diagnostics[0].message.startsWith(`${curves.length} of 2 curves`));
-    assert.deepEqual([match.totals, match.lines], [{ lines: null, pairs: null }, []]);
+    assert.deepEqual([match.totals, match.lines], [{ growth: null, lines: null, pairs: null }, []]);
     assert.deepEqual([match.samples.length, match.reversed.length], [curves.length, curves.length]);
     assert.deepEqual([dx.stages(document), dx.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
     assert.equal(dx.paint(document, { width: 60, height: 40 }).data.length, 60 * 40 * 4);

@@ -2,7 +2,8 @@
  * Starts the page: kernel, document, parts, and the loop that draws them from the state.
  *
  * @import { App, Results, Ui } from "./state/app.js"
- * @import { CurvesDocument, Kernel } from "./types.js"
+ * @import { Session } from "./state/session.js"
+ * @import { Kernel } from "./types.js"
  */
 import { connect } from "../../js/index.js";
 import { explain } from "./explain.js";
@@ -37,28 +38,26 @@ import { keyWithin } from "./state/composition.js";
 import { Record } from "./state/record.js";
 import { only, within } from "./state/selection.js";
 import { keep, restore } from "./state/session.js";
-import { Store } from "./state/store.js";
+import { originOf, Store } from "./state/store.js";
+import { createKeeper } from "./storage/keeper.js";
 import { strings } from "./strings.js";
-
-/** Layers a phone leaves out at first: at its scale the dots run into each other. */
-const CROWDED = "samples";
 
 const root = document.documentElement;
 
 /** @returns {Promise<void>} */
 async function start() {
-  const kernel = await connect({ module: "figure" });
-  const { document: first, edited, ui } = await firstDocument(kernel);
+  const kernel = await connect({ module: "full" });
+  const { document: first, edited, ui, kept } = await firstDocument(kernel);
   const store = new Store(first);
-  if (edited) store.open(first, true);
-  const app = assemble(kernel, store, ui);
+  store.open(first, edited, originOf(kept ? origin(kept) : {}));
+  const app = assemble(kernel, store, ui, kept);
   run(app);
 }
 
 /**
  * The document of the last visit when there is one, else the first preset.
  * @param {Kernel} kernel
- * @returns {Promise<{document: CurvesDocument, edited: boolean, ui: Partial<Ui>}>}
+ * @returns {Promise<Session>}
  */
 async function firstDocument(kernel) {
   const session = restore();
@@ -71,18 +70,17 @@ async function firstDocument(kernel) {
     }
   }
   const { document, ui } = splitView(await completed(kernel, firstPreset));
-  const phone = matchMedia("(width < 600px)").matches;
-  const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
-  return { document, edited: false, ui: { ...ui, layers } };
+  return { document, edited: false, ui, kept: null };
 }
 
 /**
  * @param {Kernel} kernel
  * @param {Store} store
  * @param {Partial<Ui>} restored
+ * @param {Session["kept"]} kept
  * @returns {App}
  */
-function assemble(kernel, store, restored) {
+function assemble(kernel, store, restored, kept) {
   /** @type {Record<Ui>} */
   const ui = new Record({
     selection: only(1, 2),
@@ -97,6 +95,7 @@ function assemble(kernel, store, restored) {
     key: null,
     s: 0.4,
     playing: false,
+    unkept: false,
     theme: currentTheme(),
     probe: null,
     witness: null,
@@ -109,9 +108,15 @@ function assemble(kernel, store, restored) {
   });
   /** @type {Record<Results>} */
   const results = new Record({ ...NO_RESULTS });
-  /** @type {App} */
-  const app = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {}, tool: null };
+  const parts = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {}, tool: null };
+  const app = /** @type {App} */ (/** @type {unknown} */ (parts));
+  app.keeper = createKeeper(app, kept);
   return app;
+}
+
+/** What a reload keeps of where the document lives. @param {NonNullable<Session["kept"]>} kept */
+function origin({ id, stamp, file, modified }) {
+  return { id, stamp, file, modified };
 }
 
 /** Names the regions of the page. */

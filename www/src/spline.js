@@ -43,6 +43,9 @@ function clampedKnot(i, n, p) {
   return Math.min(Math.max(i - p, 0), n - p) / (n - p);
 }
 
+/** Outlines that were asked for: a curve is never changed in place. @type {WeakMap<Shape, {u: number, at: Point}[]>} */
+const outlines = new WeakMap();
+
 /**
  * The outline as a chain of chords with the parameter of every vertex, seam at both ends.
  * @param {Shape} curve
@@ -50,6 +53,18 @@ function clampedKnot(i, n, p) {
  * @returns {{u: number, at: Point}[]}
  */
 export function outline(curve, chords = CHORDS) {
+  if (chords !== CHORDS) return trace(curve, chords);
+  const known = outlines.get(curve) ?? trace(curve, chords);
+  outlines.set(curve, known);
+  return known;
+}
+
+/**
+ * @param {Shape} curve
+ * @param {number} chords
+ * @returns {{u: number, at: Point}[]}
+ */
+function trace(curve, chords) {
   const { knots, points } = unrolled(curve);
   const p = curve.degree;
   /** @type {{u: number, at: Point}[]} */

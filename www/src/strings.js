@@ -176,6 +176,7 @@ export const strings = {
     title: "Document title",
     edited: "Edited",
     saved: "Saved",
+    unkept: "Not saved",
     gallery: "Gallery",
     galleryItem: "Gallery…",
     file: "File",
@@ -190,12 +191,48 @@ export const strings = {
     open: "Open or import…",
     save: "Save",
     saveCopy: "Save a copy…",
+    recent: "Recent documents…",
     openKind: "Documents and drawings",
     saveKind: "Directrix document",
     chosen: "the file",
     saved: (/** @type {string} */ file) => `Saved ${file}`,
     copied: (/** @type {string} */ file) => `Saved a copy as ${file}`,
+    changedOutside: (/** @type {string} */ file) =>
+      `${file} was changed outside this page. Save again to replace it, or save a copy.`,
     notAllowed: "the page may not write to it",
+  },
+
+  storage: {
+    copyOf: (/** @type {string} */ title) => `${title} (copy)`,
+    openElsewhere: (/** @type {string} */ title) => `${title} is open in another tab. This is a copy.`,
+    changedElsewhere: (/** @type {string} */ title) => `${title} was changed in another tab. This is a copy.`,
+    gone: "it is no longer there",
+    /** Why nothing was kept, by the name of the browser's error. */
+    problem: (/** @type {string} */ name) =>
+      name === "QuotaExceededError"
+        ? "This browser has no room left to keep the document. Save it to a file."
+        : "This browser does not keep the document here. Save it to a file.",
+  },
+
+  recent: {
+    heading: "Recent documents",
+    deleted: "Deleted",
+    empty: "Nothing yet. A document is listed here once it is edited, saved or opened from a file.",
+    where:
+      "Documents are kept by this browser on this machine, and nowhere else. Deleted ones stay for 30 days, at most 20 of them.",
+    here: "open here",
+    elsewhere: "open in another tab",
+    noFile: "not in a file",
+    versionsOf: (/** @type {string} */ title) => `Earlier versions of ${title}`,
+    kinds: { saved: "as saved", kept: "before later edits" },
+    delete: (/** @type {string} */ title) => `Delete ${title}`,
+    gone: (/** @type {string} */ title) => `Deleted ${title}`,
+    undo: "Undo",
+    since: (/** @type {string} */ when) => `deleted ${when}`,
+    restore: "Restore",
+    restored: (/** @type {string} */ title) => `Restored ${title}`,
+    erase: "Delete for good",
+    erased: (/** @type {string} */ title) => `Deleted ${title} for good`,
   },
 
   exports: {
@@ -331,6 +368,7 @@ export const strings = {
   blend: {
     heading: "Blend",
     stages: "Stages",
+    names: "Names on the in-betweens",
     phrase: (/** @type {number} */ stages) => `${plural(stages, "stage", "stages")} · Oklab`,
   },
 
@@ -378,7 +416,6 @@ export const strings = {
     },
     isoMaterial: "Equal mix of",
     isoMaterialField: "Material of the lines of equal mix",
-    stageLabels: "Names on in-betweens",
   },
 
   labels: {
@@ -397,7 +434,7 @@ export const strings = {
     group: (/** @type {string} */ curve) => `Composition along ${curve}`,
     help:
       "Arrow keys slide the key along the curve, with Shift ten times as far, with Alt a tenth. Page up and page down go to " +
-      "the previous and the next key. Insert adds a key after this one, Delete removes it, Escape takes the move back.",
+      "the previous and the next key. Insert adds a key after this one, Delete removes it, Escape takes the move back, and once more leaves the keys.",
     key: (/** @type {number} */ index, /** @type {number} */ of, /** @type {string} */ curve) =>
       `Key ${index} of ${of} on ${curve}`,
     spoken: (/** @type {string} */ name, /** @type {string} */ at, /** @type {string} */ mix) => `${name}, at ${at}, ${mix}`,

@@ -46,7 +46,7 @@ test("two curves drawn by clicks, each through its points, make a verified figur
     return curves[0];
   });
   assert.deepEqual([one.degree, one.form, one.points.length], [3, "periodic", 7]);
-  assert.match(await status(page), /One curve/);
+  await eventually(async () => assert.match(await status(page), /One curve/));
   assert.equal((await uiOf(page)).selection.curve, 0);
 
   // The curve passes the places that were clicked, within the tenth of a pixel that it is rounded to.
@@ -78,7 +78,7 @@ test("two curves drawn by clicks, each through its points, make a verified figur
 test("backspace and undo take the last point back, escape gives up and changes nothing", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
-  await page.keyboard.press("d");
+  await begin(page);
   for (const [x, y] of await round(page, 150, 5)) await page.mouse.click(x, y);
   assert.equal(await page.locator(".draw-dot, .draw-first").count(), 5);
   await page.keyboard.press("Backspace");
@@ -97,7 +97,7 @@ test("backspace and undo take the last point back, escape gives up and changes n
 test("points on one line are refused with a hint, and the drawing goes on", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
-  await page.keyboard.press("d");
+  await begin(page);
   for (const x of [300, 400, 500]) await page.mouse.click(x, 400);
   await page.keyboard.press("Enter");
   await eventually(async () => assert.match((await page.locator("[data-hint]").textContent()) ?? "", /one line/));
@@ -127,7 +127,7 @@ test("a curve is drawn by the keyboard alone", async (t) => {
 test("a freehand line is fitted with few points near to it; a short one gives a hint", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
-  await page.keyboard.press("d");
+  await begin(page);
   await page.locator("[data-segment=draw-mode] input[value=freehand]").check({ force: true });
   const hint = page.locator("[data-hint]");
   assert.match((await hint.textContent()) ?? "", /Press/);
@@ -181,7 +181,7 @@ test("drawing where two curves are replaces the chosen one, says so, and keeps i
 test("pan and zoom go on while drawing, and a drag sets no point", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
-  await page.keyboard.press("d");
+  await begin(page);
   await page.mouse.click(400, 300);
   const place = () => page.locator(".draw-dot").first().getAttribute("cx");
   const before = Number(await place());
@@ -219,7 +219,7 @@ test("on a phone a curve is drawn by taps, and by one stroke", async (t) => {
 test("freehand and clicks survive a document that is opened meanwhile", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
-  await page.keyboard.press("d");
+  await begin(page);
   await page.mouse.click(400, 300);
   await page.locator("[data-action=file]").click();
   await choose(page, "new");
@@ -227,6 +227,12 @@ test("freehand and clicks survive a document that is opened meanwhile", async (t
   await drawByClicks(page, 200, 4);
   assert.equal((await documentOf(page)).curves.length, 1);
 });
+
+/** Begins to draw by the key. @param {import("playwright-core").Page} page */
+async function begin(page) {
+  await page.keyboard.press("d");
+  await page.waitForSelector("[data-segment=draw-mode]");
+}
 
 /**
  * One touch that goes along places.

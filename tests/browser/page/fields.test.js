@@ -42,7 +42,7 @@ test("a field is dragged sideways, and one drag is one entry of the log", async 
   await eventually(async () => assert.ok((await documentOf(page)).matching.normalWeight > before));
   await page.keyboard.press("Control+z");
   await eventually(async () => assert.equal((await documentOf(page)).matching.normalWeight, before));
-  assert.ok(await page.locator("[data-action=undo]").isDisabled());
+  await eventually(async () => assert.ok(await page.locator("[data-action=undo]").isDisabled()));
 });
 
 test("sampling, stages and the mode for negative products reach the document", async (t) => {

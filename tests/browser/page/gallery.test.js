@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
-import { documentOf, eventually, field, handle, status } from "./workbench.js";
+import { documentOf, eventually, field, handle, status, uiOf } from "./workbench.js";
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
@@ -183,6 +183,7 @@ test("on a phone the gallery is one entry of the menu and takes the whole width"
   await entry(page, "snail").tap();
   await eventually(async () => assert.equal(await field(page, "title").inputValue(), "Snail"));
   assert.equal(await panel.count(), 0);
+  assert.ok(!(await uiOf(page)).layers.includes("samples"), "dots run into each other on a phone");
 });
 
 for (const [name, options] of /** @type {const} */ ([

@@ -45,6 +45,7 @@ test("the step follows the zoom, and a drawn point snaps as well", async (t) => 
   await eventually(async () => assert.ok((await step(page)) < 5));
   const grid = await step(page);
   await page.keyboard.press("d");
+  await page.waitForSelector("[data-segment=draw-mode]");
   const dots = () => page.locator(".draw-dot").evaluateAll((all) => all.map((e) => [Number(e.getAttribute("cx")), Number(e.getAttribute("cy"))]));
   for (const [x, y] of (await round(page, 200, 6)).slice(0, 2)) await page.mouse.click(x, y);
   const { view, size } = { ...(await uiOf(page)), size: await page.locator("#stage").boundingBox() };

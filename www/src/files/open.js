@@ -80,7 +80,12 @@ export async function openFile(app, file, handle = null) {
     refuse(app, file.name, problem(error).message);
     return false;
   }
-  return openText(app, file.name, text, { origin: { file: file.name, handle } });
+  const { name, lastModified: modified } = file;
+  const { keptInFile } = await import("../storage/reopen.js");
+  const origin = { ...(await keptInFile(app, name, handle)), file: name, handle, modified };
+  const opened = await openText(app, name, text, { origin });
+  if (opened && app.store.origin.file === name) void app.keeper.keep();
+  return opened;
 }
 
 /**

@@ -107,7 +107,7 @@ export function createBar(app) {
       const { store } = app;
       title.set(store.document.title || strings.untitled);
       title.input.size = Math.max(4, store.document.title.length);
-      write(state, store.edited ? words.edited : store.origin.file === null ? "" : words.saved);
+      write(state, stateWord(app));
       undo.disabled = !store.canUndo;
       redo.disabled = !store.canRedo;
       const label = themeLabel(app);
@@ -117,6 +117,15 @@ export function createBar(app) {
       if (document.title !== name) document.title = name;
     },
   };
+}
+
+/**
+ * What has become of the work: saved to a file, edited since and kept in this browser, or kept nowhere.
+ * @param {App} app
+ */
+function stateWord({ store, ui }) {
+  if (store.edited) return ui.value.unkept ? strings.bar.unkept : strings.bar.edited;
+  return store.origin.file === null ? "" : strings.bar.saved;
 }
 
 /** @param {App} app */

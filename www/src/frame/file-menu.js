@@ -20,6 +20,11 @@ export function fileItems(app, choose) {
     { name: "open", text: words.open, keys: "Ctrl+O", act: choose },
     { name: "save", text: words.save, keys: "Ctrl+S", act: () => void save(app) },
     { name: "save-copy", text: words.saveCopy, keys: "Ctrl+Shift+S", act: () => void saveCopy(app) },
+    {
+      name: "recent",
+      text: words.recent,
+      act: () => void import("./recent-panel.js").then(({ showRecent }) => showRecent(app)),
+    },
     ...commandItems(app, ["line", "shortcuts", "about"]),
   ];
 }

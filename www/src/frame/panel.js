@@ -53,7 +53,8 @@ export function openPanel({ name, heading, body, wide = false, tall = false, onc
   };
   cross.addEventListener("click", close);
   element.addEventListener("keydown", (event) => {
-    event.stopPropagation();
+    // Keys of the figure are none here; those of the whole page, with Ctrl, are.
+    if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
     if (event.key === "Escape") close();
   });
   (cover ? document.body : find("#stage")).append(element);

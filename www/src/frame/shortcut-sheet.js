@@ -30,7 +30,7 @@ export function openShortcuts() {
   openPanel({
     name: "shortcuts",
     heading: strings.commands.shortcuts,
-    body: [h("div", { class: "keys" }, ...body)],
+    body: [h("div", { class: "keys", tabIndex: 0, role: "group", "aria-label": strings.commands.shortcuts }, ...body)],
     wide: true,
   });
 }

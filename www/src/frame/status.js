@@ -24,7 +24,7 @@ export function createStatus(app) {
       const { match, matched, problem, ms, slow } = app.results.value;
       const { note, drawing } = app.ui.value;
       const fresh = matched === app.store.document;
-      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing]);
+      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;
       drawn = key;
       const focused = document.activeElement?.getAttribute("data-certificate");
@@ -32,7 +32,7 @@ export function createStatus(app) {
         ? [reason(explain(app.store.document, problem))]
         : match
           ? isIncomplete(match)
-            ? [strong(strings.incomplete.verdict[match.samples.length])]
+            ? [strong(strings.incomplete.verdict[app.store.document.curves.length] ?? "")]
             : certificates(app, match, ms)
           : [label(strings.status.loading)];
       element.replaceChildren(
@@ -141,7 +141,7 @@ function remark(app, match, slow) {
   if (note) return [label(note.text)];
   if (!match) return [];
   if (isIncomplete(match)) {
-    const text = label(strings.incomplete.reason[match.samples.length]);
+    const text = label(strings.incomplete.reason[app.store.document.curves.length] ?? "");
     if (app.ui.value.drawing) return [text];
     return [text, command("draw", commandText(app, "draw"), () => void runCommand(app, "draw"))];
   }

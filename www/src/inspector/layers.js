@@ -32,25 +32,16 @@ export function layersGroup(app) {
   const select = h("select", { "aria-label": words.isoMaterialField, "data-select": "iso-material" });
   select.addEventListener("change", () => app.ui.set({ isoMaterial: Number(select.value) }));
   const material = row(words.isoMaterial, { element: h("span", { class: "field select" }, select) });
-  const labels = checkBox({ name: "stage-labels", text: [words.stageLabels] }, (on) => app.ui.set({ stageLabels: on }));
   return {
     name: "layers",
     heading: words.heading,
-    body: h(
-      "div",
-      {},
-      h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element),
-      labels.element,
-      material,
-    ),
+    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element), material),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
-      const { layers, isoMaterial, stageLabels, snap: snaps } = app.ui.value;
+      const { layers, isoMaterial, snap: snaps } = app.ui.value;
       const { materials } = app.store.document;
       for (const { name, set } of boxes) set(layers.includes(name));
       snap.set(snaps);
-      labels.element.hidden = !layers.includes("inBetweens");
-      labels.set(stageLabels);
       material.hidden = !layers.includes("isoComposition");
       while (select.options.length < materials.length) select.append(h("option", {}));
       while (select.options.length > materials.length) select.remove(materials.length);

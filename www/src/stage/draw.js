@@ -212,6 +212,8 @@ function createDraw(app) {
     close();
     // On a phone the canvas shrinks again when the drawing is over, and the figure with it.
     app.ui.set({ selection: whole(index), fitted: matchMedia("(width < 600px)").matches });
+    // What comes next is meant for the curve: keys act on what has the focus.
+    requestAnimationFrame(() => focusOutline(index));
     const { document } = app.store;
     app.say(words.done(curveName(document, index), handleCount(document.curves[index])));
   }
@@ -360,6 +362,12 @@ function createDraw(app) {
     close,
   };
   return tool;
+}
+
+/** @param {number} index */
+function focusOutline(index) {
+  const outline = document.querySelector(`[data-outline="${index}"]`);
+  if (outline instanceof SVGElement) outline.focus({ preventScroll: true });
 }
 
 /**

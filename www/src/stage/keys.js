@@ -83,10 +83,11 @@ function createGroup(app, curve, focus) {
     const index = indexOf(event.target);
     if (index < 0) return;
     const next = pressed(app, event, { curve, index });
-    if (!next) return;
+    if (!next && event.key !== "Escape") return;
     event.preventDefault();
     event.stopPropagation();
-    focus(next);
+    if (next) focus(next);
+    else leave(app);
   });
   element.addEventListener("pointerdown", (event) => {
     const index = indexOf(event.target);
@@ -147,6 +148,13 @@ function createGroup(app, curve, focus) {
       });
     },
   };
+}
+
+/** Gives the curves back to the control points. @param {App} app */
+function leave(app) {
+  app.ui.set({ composing: false });
+  app.say(strings.composition.left);
+  /** @type {HTMLElement | null} */ (document.querySelector("[data-action=compose]"))?.focus();
 }
 
 /**

@@ -8,6 +8,7 @@
  */
 import { find, h } from "../dom.js";
 import { fixed, percent } from "../format.js";
+import { symbol } from "../icons.js";
 import { currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
 import { shownLines } from "../state/lines.js";
@@ -28,7 +29,7 @@ const ROOM = 17;
 /** Places tried along a line. */
 const TRIED = 24;
 
-/** @typedef {{at: Point, text: string, kind: string}} Label `at` in CSS pixels */
+/** @typedef {{at: Point, text: string, isStage: boolean}} Label `at` in CSS pixels; on a stage the symbol s comes first */
 
 /** @param {App} app */
 export function createLabels(app) {
@@ -90,8 +91,8 @@ export function createLabels(app) {
     if (key === drawn) return;
     drawn = key;
     layer.replaceChildren(
-      ...labels.map(({ at: [x, y], text, kind }) => {
-        const name = h("span", { class: `line-label ${kind} number` }, text);
+      ...labels.map(({ at: [x, y], text, isStage }) => {
+        const name = h("span", { class: "line-label number" }, isStage && symbol("s"), text);
         name.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px) translate(-50%, -50%)`;
         return name;
       }),
@@ -133,7 +134,7 @@ function onIsolines(isolines, view, size, handles, labels) {
       const room = Math.min(4 * APART, ...labels.map((other) => Math.hypot(other.at[0] - at[0], other.at[1] - at[1])));
       if (room > most) [most, best] = [room, at];
     }
-    if (best) labels.push({ at: best, text: percent(level), kind: "on-iso" });
+    if (best) labels.push({ at: best, text: percent(level), isStage: false });
   }
 }
 
@@ -158,8 +159,8 @@ function onInBetweens(document, match, view, size, labels) {
   const blend = homogeneous(document);
   for (let j = stride; j < stages; j += stride) {
     const s = j / stages;
-    const parts = [`s ${fixed(s, 2)}`, ...(blend ? [strings.labels.share(blend.name, percent(blend.at(s)))] : [])];
-    labels.push({ at: [ax + (bx - ax) * s, ay + (by - ay) * s], text: parts.join(" · "), kind: "on-stage" });
+    const parts = [` ${fixed(s, 2)}`, ...(blend ? [strings.labels.share(blend.name, percent(blend.at(s)))] : [])];
+    labels.push({ at: [ax + (bx - ax) * s, ay + (by - ay) * s], text: parts.join(" · "), isStage: true });
   }
 }
 

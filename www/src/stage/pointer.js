@@ -54,6 +54,8 @@ export function listenToPointer(app, handles, probe, reading) {
   let pressed = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let rest;
+  /** What was chosen before the press. */
+  let { selection: before } = app.ui.value;
 
   /** @param {MouseEvent} event @returns {Point} */
   const place = (event) => {
@@ -89,6 +91,7 @@ export function listenToPointer(app, handles, probe, reading) {
     }
     const held = event.button === 0 ? under(at, event) : null;
     pressed = held;
+    before = app.ui.value.selection;
     if (event.pointerType === "touch") rest = setTimeout(() => longPress(held, event), LONG);
     if (held) {
       const selection = chosen(held, event.shiftKey);
@@ -113,13 +116,13 @@ export function listenToPointer(app, handles, probe, reading) {
       else probe.hover(!onFurniture(event) && handles.nearest(at, REACH.mouse) === null ? at : null);
       return;
     }
-    const before = /** @type {Point} */ (down.get(event.pointerId));
+    const last = /** @type {Point} */ (down.get(event.pointerId));
     down.set(event.pointerId, at);
     if (down.size === 2 && pinch !== null) {
       const { view, size } = app.ui.value;
       const now = spread(down);
       if (!view || now === 0) return;
-      const slid = panned(view, [(at[0] - before[0]) / 2, (at[1] - before[1]) / 2]);
+      const slid = panned(view, [(at[0] - last[0]) / 2, (at[1] - last[1]) / 2]);
       show(zoomed(slid, size, middle(down), now / pinch, zoomLimits(app)));
       pinch = now;
     } else if (drag) {
@@ -177,6 +180,7 @@ export function listenToPointer(app, handles, probe, reading) {
     drag.undo();
     finish();
     down.clear();
+    app.ui.set({ selection: before });
     void menu(held, place(event), { left: event.clientX, top: event.clientY, bottom: event.clientY });
   }
 

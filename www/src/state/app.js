@@ -20,6 +20,7 @@
  * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
+ * @property {boolean} unkept the browser's storage did not take the document
  * @property {"light" | "dark"} theme
  * @property {Reading | null} probe
  * @property {Point | null} witness a place the person asked to see
@@ -43,6 +44,7 @@
  * @property {import("./record.js").Record<Ui>} ui
  * @property {import("./record.js").Record<Results>} results
  * @property {Kernel} kernel
+ * @property {import("../storage/keeper.js").Keeper} keeper
  * @property {(text: string) => void} say speaks through the live region
  * @property {() => void} retry asks for the picture again
  * @property {() => void} cancel gives up running work
