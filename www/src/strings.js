@@ -359,7 +359,7 @@ export const strings = {
     over: "over",
     pairs: (/** @type {number} */ count) => plural(count, "one-to-one line", "one-to-one lines"),
     lines: (/** @type {number} */ count) => plural(count, "line", "lines"),
-    off: (/** @type {string} */ share) => `at most ${share} % off the diagonal`,
+    off: (/** @type {string} */ share) => `up to ${share}\u00a0% off the diagonal`,
     name: (/** @type {string} */ lines, /** @type {string} */ off, /** @type {number} */ gaps) =>
       `Plot of v over u for ${lines}: v rises with u all round and departs from equal shares of the parameters by at most ${off} %` +
       (gaps > 0 ? `; ${plural(gaps, "gap keeps", "gaps keep")} lines that share ends.` : "."),
