@@ -59,6 +59,7 @@ test("lines become one to one, the plot, the probe and the status line follow, a
 
   await page.locator("#probe-keys").focus();
   await page.keyboard.press("ArrowRight");
+  await eventually(async () => assert.equal(await read(), "Line 1"));
   await page.keyboard.press("ArrowLeft");
   await eventually(async () => assert.equal(await read(), `Line ${count}`));
   await page.keyboard.press("Control+z");
@@ -92,13 +93,17 @@ test("adaptive samples have fields of their own and say how many they are", asyn
   const { sampling } = await documentOf(page);
   assert.deepEqual([sampling.scheme, sampling.maxTurn, sampling.minCount], ["adaptive", 15, 12]);
   assert.ok(sampling.tolerance > 0 && String(sampling.tolerance).length <= 5, "two figures");
-  assert.ok(await field(page, "count-0").isHidden());
+  await eventually(async () => assert.ok(await field(page, "count-0").isHidden()));
   const taken = async () => {
     const counts = ((await page.locator("[data-taken]").textContent()) ?? "").split(" : ").map(Number);
     assert.ok(counts.length === 2 && counts.every((count) => count >= 12), String(counts));
     return counts;
   };
-  const before = await eventually(taken);
+  const before = await eventually(async () => {
+    const counts = await taken();
+    assert.notDeepEqual(counts, [44, 44], "those of the scheme before");
+    return counts;
+  });
   await field(page, "maxTurn").fill("40");
   await page.keyboard.press("Enter");
   await eventually(async () => assert.ok((await taken())[0] < before[0]));
