@@ -346,7 +346,16 @@ export const strings = {
     scheme: "Scheme",
     arcLength: "Arc length",
     parameter: "Parameter",
+    adaptive: "Adaptive",
     counts: "Samples",
+    tolerance: "Tolerance",
+    toleranceField: (/** @type {string} */ unit) => `Greatest distance from the chords, ${unit}`,
+    maxTurn: "Greatest turn",
+    degrees: "°",
+    minCount: "Fewest",
+    maxTurnField: "Greatest turn from one sample to the next, degrees",
+    minCountField: "Fewest samples of a curve",
+    taken: (/** @type {number} */ a, /** @type {number} */ b) => `${a} : ${b}`,
     count: (/** @type {string} */ curve) => `Samples on ${curve}`,
     phrase: (/** @type {string} */ scheme, /** @type {number} */ a, /** @type {number} */ b) =>
       `${scheme} · ${a} : ${b}`,
@@ -365,7 +374,19 @@ export const strings = {
     signed: "Signed",
     clamp: "Clamp",
     half: "Half",
+    lines: "Lines",
+    oneToOne: "one to one",
     phrase: (/** @type {string} */ normal, /** @type {string} */ distance) => `greedy · ${normal}, ${distance}`,
+  },
+
+  correspondence: {
+    over: "over",
+    pairs: (/** @type {number} */ count) => plural(count, "one-to-one line", "one-to-one lines"),
+    lines: (/** @type {number} */ count) => plural(count, "line", "lines"),
+    off: (/** @type {string} */ share) => `up to ${share}\u00a0% off the diagonal`,
+    name: (/** @type {string} */ lines, /** @type {string} */ off, /** @type {number} */ gaps) =>
+      `Plot of v over u for ${lines}: v rises with u all round and departs from equal shares of the parameters by at most ${off} %` +
+      (gaps > 0 ? `; ${plural(gaps, "gap keeps", "gaps keep")} lines that share ends.` : "."),
   },
 
   blend: {
@@ -488,6 +509,7 @@ export const strings = {
     crossings: "crossings",
     blocked: "blocked",
     uncovered: "uncovered",
+    gaps: "gaps kept",
     ms: "ms",
     show: (/** @type {string} */ what) => `Show ${what}`,
     heuristic: "heuristic, gap unknown",
@@ -514,6 +536,8 @@ export const strings = {
     disjoint: "No line connects the two curves. Move one nearer to the other.",
     crossing: "Some lines cross. Raise the samples.",
     "coarse-sampling": "The samples are too coarse for this shape. Raise them.",
+    "unverified-gap": "One-to-one lines do not fit everywhere: the gaps kept have lines that share ends. Raise the samples.",
+    "sample-limit": "A curve has all 1000 samples and would need more. Raise the tolerance or the turn.",
     corner: "A corner has no single normal; its bisector is used.",
     "opposed-normals": "Some lines join normals that point against each other.",
   },
