@@ -5,6 +5,9 @@ import { toText } from "./text.js";
 /** Milliseconds of work between two looks at the mailbox. */
 const BUDGET = 12;
 
+/** Functions that do not ask for the solution of a document. */
+const UNSOLVED = new Set(["defaults", "fit", "insertPoint", "readShapes", "fitCurve"]);
+
 /** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
 
 const scope = /** @type {any} */ (globalThis);
@@ -63,7 +66,7 @@ async function work() {
  * @returns {Promise<import("./directrix.js").Picture | undefined>} the answer to a call for a picture
  */
 async function solve(dx, { id, name, args }) {
-  if (name === "defaults" || name === "fit" || name === "insertPoint") return undefined;
+  if (UNSOLVED.has(name)) return undefined;
   args[0] = toText(args[0]);
   const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : {});
   let state = job.step(BUDGET);

@@ -1,8 +1,9 @@
 //! The picture of a solved document.
 
 use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
-use crate::matching::Matching;
+use crate::matching::{Problem, RulingLine};
 use crate::material::{Oklab, mix_colors};
 use crate::morph::{Band, unit_cells};
 use glam::DVec2;
@@ -20,6 +21,8 @@ pub struct FigureOptions {
     pub s: Option<f64>,
     /// Index of a ruling line to lift out.
     pub line: Option<usize>,
+    /// Index of the material whose lines of equal fraction are shown; of one that is not there are none.
+    pub iso_material: usize,
 }
 
 /// Chord error of the drawn curves in device pixels: below what anti-aliasing shows.
@@ -52,9 +55,10 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     if let Some(band) = solution.band() {
         drawing.material(band);
         drawing.in_betweens(band);
+        drawing.iso_lines(band);
     }
-    if let Outcome::Matched { matching, .. } = &solution.outcome {
-        drawing.lines(matching);
+    if let Some((problem, lines, _)) = solution.lines() {
+        drawing.lines(problem, lines);
     }
     if let (Some(band), Some(s)) = (solution.band(), options.s) {
         drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
@@ -66,15 +70,12 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     drawing.list
 }
 
-/// The two curves as closed polylines within a chord error in document units.
+/// The curves as closed polylines within a chord error in document units.
 fn outlines(solution: &Solution, tolerance: f64) -> Path {
     let finest = solution.model.bounds().diagonal() * 1e-6;
-    let rings = solution
-        .model
-        .curves()
-        .each_ref()
-        .map(|curve| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, point)| point).collect());
-    Path { rings: rings.into(), closed: true }
+    let ring =
+        |curve: &ClosedBSpline| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, p)| p).collect();
+    Path { rings: solution.model.curves().iter().map(ring).collect(), closed: true }
 }
 
 struct Drawing<'a> {
@@ -96,7 +97,9 @@ impl Drawing<'_> {
     }
 
     fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
-        self.list.push(layer, Item::Stroke { path, style });
+        if !path.rings.is_empty() {
+            self.list.push(layer, Item::Stroke { path, style });
+        }
     }
 
     /// The style of a line inside the band: on the bare canvas it takes the colour of the curves, which shows there.
@@ -140,15 +143,30 @@ impl Drawing<'_> {
         }
     }
 
-    fn lines(&mut self, matching: &Matching) {
-        let [first, second] = self.solution.model.samples();
+    /// Lines at every tenth of the fraction, each second one firm.
+    fn iso_lines(&mut self, band: &Band) {
+        let material = self.options.iso_material;
+        if !self.shows(LayerName::IsoComposition) || material >= self.solution.model.materials().len() {
+            return;
+        }
+        for tenth in [1, 3, 5, 7, 9, 2, 4, 6, 8] {
+            let style = self.inside(if tenth % 2 == 0 { self.theme.iso } else { self.theme.iso_minor });
+            for line in band.iso_lines(material, f64::from(tenth) / 10.0) {
+                let path = Path { rings: vec![line.points], closed: line.closed };
+                self.stroke("iso-composition", path, style);
+            }
+        }
+    }
+
+    fn lines(&mut self, problem: &Problem, lines: &[RulingLine]) {
+        let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
-            matching.lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
+            lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
         if self.shows(LayerName::Value) {
-            let values = matching.lines.iter().map(|line| line.value);
+            let values = lines.iter().map(|line| line.value);
             let (low, high) =
                 values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
-            for (line, segment) in matching.lines.iter().zip(&segments) {
+            for (line, segment) in lines.iter().zip(&segments) {
                 let share = if high > low { (line.value - low) / (high - low) } else { 1.0 };
                 let style = StrokeStyle::solid(2.0, viridis(share), 1.0);
                 self.stroke("value", Path::open(segment.clone()), style);
@@ -174,7 +192,7 @@ impl Drawing<'_> {
             let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
             self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
         }
-        if self.shows(LayerName::Samples) && !self.is_small {
+        if self.shows(LayerName::Samples) && !self.is_small && !samples.is_empty() {
             let dots = Item::Dots {
                 centers: samples.iter().flat_map(|samples| &samples.points).copied().collect(),
                 radius_px: self.theme.sample_radius,

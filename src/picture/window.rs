@@ -48,7 +48,7 @@ impl Window {
         let high = high.ceil().min(DVec2::new(self.columns.end as f64, self.rows.end as f64));
         low.cmplt(high)
             .all()
-            .then(|| Self { columns: low.x as usize..high.x as usize, rows: low.y as usize..high.y as usize })
+            .then_some(Self { columns: low.x as usize..high.x as usize, rows: low.y as usize..high.y as usize })
     }
 
     /// The part in some rows; `None` when there is none.

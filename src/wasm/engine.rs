@@ -4,8 +4,8 @@ use super::clock;
 use super::error::to_js;
 use super::json::parse;
 use super::painting::Painting;
-use super::results::{MatchResult, ViewResult, cells, probe, stages, to_value};
-use crate::document::{self, Code, CurvesDocument, DocumentError, Solution, Solve};
+use super::results::{MatchResult, ViewResult, cells, isolines, probe, stages, to_value};
+use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Solution, Solve};
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure, to_svg};
 use glam::DVec2;
 use std::collections::VecDeque;
@@ -66,6 +66,15 @@ impl Engine {
         to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, count)))
     }
 
+    /// Lines of equal fraction of a material.
+    pub fn isolines(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        let options = parse(options)
+            .and_then(|options| IsoOptions::read(&options, solution.model.materials().len()))
+            .map_err(|e| to_js(&e))?;
+        to_value(&solution.band().map(|band| isolines(band, &options)))
+    }
+
     /// What the band holds at a point.
     pub fn probe(&mut self, text: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
@@ -116,6 +125,7 @@ impl Engine {
         let options =
             parse(options).and_then(|options| PictureOptions::read(&options)).map_err(|e| to_js(&e))?;
         let solution = self.solve(text)?;
+        options.check(&solution.model).map_err(|e| to_js(&e))?;
         let viewport = options.viewport(&solution.model);
         let list = figure(&solution, &options.figure(&solution.model), &viewport);
         Ok((solution, viewport, list))
@@ -160,9 +170,8 @@ fn refused_picture(message: &str) -> JsValue {
 
 /// The result of a figure in one sentence.
 fn describe(solution: &Solution) -> String {
-    match &solution.outcome {
-        document::Outcome::Matched { matching, .. } => {
-            let totals = &matching.totals;
+    match solution.lines() {
+        Some((_, _, totals)) => {
             let eta =
                 totals.eta.map_or_else(String::new, |eta| format!(", eta {}", (eta * 1e3).round() / 1e3));
             format!(
@@ -170,8 +179,11 @@ fn describe(solution: &Solution) -> String {
                 totals.count, totals.crossings, totals.blocked
             )
         }
-        document::Outcome::Unmatched | document::Outcome::Refused(_) => {
-            "Two curves that are not matched".to_owned()
+        None => match solution.model.curves().len() {
+            0 => "No curves yet",
+            1 => "One curve",
+            _ => "Two curves that are not matched",
         }
+        .to_owned(),
     }
 }

@@ -5,6 +5,8 @@
 
 mod engine;
 mod error;
+#[cfg(feature = "import")]
+mod import;
 mod json;
 mod painting;
 mod results;

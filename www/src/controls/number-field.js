@@ -82,6 +82,16 @@ export function numberField(options, editing) {
     attribute(input, "aria-valuenow", String(value));
   }
 
+  /**
+   * Keys that come faster than the page is drawn count on from each other, not from what is still shown.
+   * @param {number} next
+   * @param {string} [run]
+   */
+  function change(next, run) {
+    value = next;
+    editing.change(next, run);
+  }
+
   /** @param {boolean} restore whether a wrong text gives way to the last valid value */
   function settle(restore) {
     if (!typed) return;
@@ -90,7 +100,7 @@ export function numberField(options, editing) {
     if (wrong === null && next !== null) {
       typed = false;
       complain(null);
-      if (next !== value) editing.change(next);
+      if (next !== value) change(next);
     } else if (restore) {
       typed = false;
       complain(null);
@@ -128,7 +138,7 @@ export function numberField(options, editing) {
       event.preventDefault();
       settle(true);
       const factor = event.shiftKey ? 10 : event.altKey && !whole ? 0.1 : 1;
-      editing.change(within(value + (event.key === "ArrowUp" ? 1 : -1) * factor * step()), run);
+      change(within(value + (event.key === "ArrowUp" ? 1 : -1) * factor * step()), run);
     }
   });
 

@@ -1,36 +1,59 @@
 /**
- * Keys of the whole page: undo and redo, fit, zoom, play.
+ * Keys of the whole page. All but those of files and of the morph come from the table of commands.
  *
  * @import { App } from "../state/app.js"
  */
-import { fit, zoomBy } from "../stage/zoom.js";
+import { commandOf, runCommand } from "../commands.js";
+import { save, saveCopy } from "../files/save.js";
+
+/** Commands that a text field leaves to the page, as long as nothing is being typed in it. */
+const PAST_FIELDS = ["undo", "redo"];
+/** Topics whose keys belong to the canvas: elsewhere Delete must not take a point away. */
+const ON_CANVAS = ["select", "points"];
 
 /**
  * @param {App} app
- * @param {() => void} togglePlay
+ * @param {{togglePlay: () => void, choose: () => void}} acts what other parts of the page do
  */
-export function listenToShortcuts(app, togglePlay) {
+export function listenToShortcuts(app, { togglePlay, choose }) {
   addEventListener("keydown", (event) => {
     const target = event.target instanceof HTMLElement ? event.target : null;
     if (event.defaultPrevented) return;
-    if ((event.ctrlKey || event.metaKey) && !event.altKey) {
-      if (target instanceof HTMLInputElement && target.type === "text" && target.value !== target.defaultValue) return;
-      const key = event.key.toLowerCase();
-      if (key === "z" && !event.shiftKey) app.store.undo();
-      else if (key === "y" || (key === "z" && event.shiftKey)) app.store.redo();
-      else return;
-      event.preventDefault();
-      return;
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && fileKey(event, target)) return;
+    const command = commandOf(event);
+    if (isText(target)) {
+      const typed = target instanceof HTMLInputElement && target.value !== target.defaultValue;
+      if (typed || !command || !PAST_FIELDS.includes(command.name)) return;
     }
-    if (event.altKey || event.metaKey || (target instanceof HTMLInputElement && target.type === "text")) return;
-    if (event.key === "f" || event.key === "F") void fit(app);
-    else if (event.key === "+" || event.key === "=") zoomBy(app, 1);
-    else if (event.key === "-") zoomBy(app, -1);
-    else if (event.key === " " && !hasOwnSpace(target)) togglePlay();
-    else return;
+    if (command) {
+      if (target instanceof HTMLSelectElement || (ON_CANVAS.includes(command.topic) && !isOnCanvas(target))) return;
+      runCommand(app, command.name);
+    } else if (event.key === " " && !hasOwnSpace(target) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+      togglePlay();
+    } else return;
     event.preventDefault();
   });
+
+  /** @param {KeyboardEvent} event @param {HTMLElement | null} target */
+  function fileKey(event, target) {
+    const key = event.key.toLowerCase();
+    if (key !== "s" && (key !== "o" || event.shiftKey)) return false;
+    event.preventDefault();
+    if (event.repeat) return true;
+    // What is still being typed belongs to the document that is saved.
+    if (target instanceof HTMLInputElement) target.blur();
+    if (key === "o") choose();
+    else void (event.shiftKey ? saveCopy : save)(app);
+    return true;
+  }
 }
+
+/** @param {HTMLElement | null} target */
+const isText = (target) =>
+  target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === "text");
+
+/** @param {HTMLElement | null} target */
+const isOnCanvas = (target) => !target || target === document.body || target.closest("#stage") !== null;
 
 /** Whether the space bar means something to the focused element itself. @param {HTMLElement | null} target */
 function hasOwnSpace(target) {

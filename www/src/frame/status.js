@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Match, Totals } from "../types.js"
  */
+import { commandText, runCommand } from "../commands.js";
 import { find, h } from "../dom.js";
 import { fixed, milliseconds } from "../format.js";
 import { icon, symbol } from "../icons.js";
@@ -20,16 +21,18 @@ export function createStatus(app) {
   return {
     render() {
       const { match, matched, problem, ms, slow } = app.results.value;
-      const { note } = app.ui.value;
+      const { note, drawing } = app.ui.value;
       const fresh = matched === app.store.document;
-      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note]);
+      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;
       drawn = key;
       const focused = document.activeElement?.getAttribute("data-certificate");
       const left = problem
         ? [reason(explain(app.store.document, problem))]
         : match
-          ? certificates(app, match, ms)
+          ? isIncomplete(match)
+            ? [strong(strings.incomplete.verdict[app.store.document.curves.length] ?? "")]
+            : certificates(app, match, ms)
           : [label(strings.status.loading)];
       element.replaceChildren(
         h("div", { class: "certificates" }, ...left),
@@ -38,7 +41,9 @@ export function createStatus(app) {
       element.dataset.verdict = problem
         ? "error"
         : match
-          ? match.ok && failures(match.totals.lines) === 0
+          ? isIncomplete(match)
+            ? "incomplete"
+            : match.ok && failures(match.totals.lines) === 0
             ? "verified"
             : "problems"
           : "none";
@@ -47,6 +52,9 @@ export function createStatus(app) {
     },
   };
 }
+
+/** Whether the document is still being drawn. @param {Match} match */
+const isIncomplete = (match) => match.diagnostics.some(({ code }) => code === "incomplete");
 
 /** @param {Totals | null} totals */
 function failures(totals) {
@@ -128,6 +136,11 @@ function remark(app, match, slow) {
   }
   if (note) return [label(note.text)];
   if (!match) return [];
+  if (isIncomplete(match)) {
+    const text = label(strings.incomplete.reason[app.store.document.curves.length] ?? "");
+    if (app.ui.value.drawing) return [text];
+    return [text, command("draw", commandText(app, "draw"), () => void runCommand(app, "draw"))];
+  }
   const text = advice(match);
   if (text) return [reason(text)];
   return app.store.document.matching.method === "greedy" ? [h("span", { class: "warning" }, words.heuristic)] : [];
