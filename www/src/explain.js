@@ -37,7 +37,10 @@ export function explain(document, { code, path = "", message, at }) {
 export function advice({ ok, diagnostics, totals }) {
   const words = strings.advice;
   const [a, b] = totals.lines?.uncovered ?? [[], []];
-  if (a.length + b.length > 0) return words.notCovered(a.length, b.length);
+  if (a.length + b.length > 0) {
+    const hidden = diagnostics.some(({ code }) => code === "orphan");
+    return `${words.notCovered(a.length, b.length)} ${hidden ? words.openPocket : words.moveApart}`;
+  }
   if (ok) return null;
   const [first] = diagnostics;
   if (!first) return null;
