@@ -1,8 +1,9 @@
 //! Shapes from elsewhere: reading and fitting.
 
-use super::engine::{Engine, to_value};
+use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
+use super::results::to_value;
 use crate::curve::{Fit, fit};
 use crate::document::DocumentError;
 use crate::import::{

@@ -29,8 +29,11 @@
  * @typedef {Shape & Named} Curve
  *
  * @typedef {object} Sampling
- * @property {"arc-length" | "parameter"} scheme
+ * @property {"arc-length" | "parameter" | "adaptive"} scheme
  * @property {[number, number]} counts
+ * @property {number} [tolerance] of adaptive samples, as the two below
+ * @property {number} [maxTurn]
+ * @property {number} [minCount]
  *
  * @typedef {object} Matching
  * @property {"greedy"} method

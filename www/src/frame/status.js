@@ -2,7 +2,7 @@
  * The status line: what the result is worth, and what to do where it fails.
  *
  * @import { App } from "../state/app.js"
- * @import { Match, Totals } from "../types.js"
+ * @import { Match } from "../types.js"
  */
 import { commandText, runCommand } from "../commands.js";
 import { find, h } from "../dom.js";
@@ -10,6 +10,7 @@ import { fixed, milliseconds } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { advice, explain } from "../explain.js";
+import { keptGaps, shownTotals } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { nextWitness } from "../witness.js";
 
@@ -43,7 +44,7 @@ export function createStatus(app) {
         : match
           ? isIncomplete(match)
             ? "incomplete"
-            : match.ok && failures(match.totals.lines) === 0
+            : match.ok && failures(match) === 0
             ? "verified"
             : "problems"
           : "none";
@@ -56,11 +57,12 @@ export function createStatus(app) {
 /** Whether the document is still being drawn. @param {Match} match */
 const isIncomplete = (match) => match.diagnostics.some(({ code }) => code === "incomplete");
 
-/** @param {Totals | null} totals */
-function failures(totals) {
+/** @param {Match} match */
+function failures(match) {
+  const totals = shownTotals(match);
   if (!totals) return 1;
   const { crossings, blocked, uncovered } = totals;
-  return crossings + blocked + uncovered[0].length + uncovered[1].length;
+  return crossings + blocked + uncovered[0].length + uncovered[1].length + keptGaps(match).length;
 }
 
 /**
@@ -70,9 +72,10 @@ function failures(totals) {
  * @returns {Node[]}
  */
 function certificates(app, match, ms) {
-  const totals = match.totals.lines;
+  const totals = shownTotals(match);
   const words = strings.status;
-  const count = Math.max(failures(totals), match.ok ? 0 : 1);
+  const count = Math.max(failures(match), match.ok ? 0 : 1);
+  const gaps = keptGaps(match).length;
   if (!totals) return [h("span", { class: "verdict failed" }, words.problems(count))];
   const [a, b] = totals.uncovered;
   const open = a.length + b.length > 0;
@@ -89,6 +92,7 @@ function certificates(app, match, ms) {
     failure(app, "crossings", words.crossings, totals.crossings, String(totals.crossings)),
     failure(app, "blocked", words.blocked, totals.blocked, String(totals.blocked)),
     failure(app, "uncovered", words.uncovered, a.length + b.length, open ? `${a.length} + ${b.length}` : "0"),
+    gaps > 0 ? failure(app, "gaps", words.gaps, gaps, String(gaps)) : null,
     ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.ms)),
   ].filter((node) => node !== null);
 }
@@ -96,7 +100,7 @@ function certificates(app, match, ms) {
 /**
  * A count that should be zero: plain when it is, a button that shows the place when it is not.
  * @param {App} app
- * @param {"crossings" | "blocked" | "uncovered"} name
+ * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
  * @param {string} words
  * @param {number} count
  * @param {string} shown
@@ -115,6 +119,7 @@ function failure(app, name, words, count, shown) {
       onclick: () => nextWitness(app, name),
     },
     label(words),
+    " ",
     strong(shown),
   );
   return h("span", { class: "item", "data-total": name }, button);

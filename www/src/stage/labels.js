@@ -11,6 +11,7 @@ import { fixed, percent } from "../format.js";
 import { symbol } from "../icons.js";
 import { currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
+import { shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
 
@@ -147,10 +148,7 @@ function onIsolines(isolines, view, size, handles, labels) {
  * @param {Label[]} labels
  */
 function onInBetweens(document, match, view, size, labels) {
-  const ends = match.lines.map(({ from, to }) => [
-    toScreen(view, size, match.samples[0].points[from]),
-    toScreen(view, size, match.samples[1].points[to]),
-  ]);
+  const ends = shownLines(match).map(({ from, to }) => [toScreen(view, size, from), toScreen(view, size, to)]);
   const rise = (/** @type {Point[]} */ [a, b]) =>
     isFree(a, size) && isFree(b, size) ? Math.abs(a[1] - b[1]) - Math.abs(a[0] - b[0]) / 2 : -Infinity;
   const line = ends.reduce((best, other) => (rise(other) > rise(best) ? other : best), ends[0]);

@@ -10,6 +10,7 @@ import { percent } from "../format.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
+import { shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { triangle } from "../controls/triangle.js";
 import { inTriangle } from "../state/mix.js";
@@ -119,7 +120,7 @@ function scale(ticks) {
 
 /** @param {App} app @returns {[number, number] | null} */
 function valueRange(app) {
-  const values = currentMatch(app)?.lines.map((line) => line.value) ?? [];
+  const values = shownLines(currentMatch(app)).map((line) => line.value);
   return values.length > 0 ? [Math.min(...values), Math.max(...values)] : null;
 }
 

@@ -12,6 +12,7 @@ import { mixAt } from "../state/composition.js";
 import { numberNode } from "../number-node.js";
 import { curveName, currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
+import { shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { toPlane, toScreen } from "../view.js";
 
@@ -72,7 +73,7 @@ export function createProbe(app) {
     const { view, size, probe } = app.ui.value;
     wanted += 1;
     clearTimeout(rest);
-    if (at && view && currentMatch(app)?.lines.length) lane.push(toPlane(view, size, at));
+    if (at && view && shownLines(currentMatch(app)).length > 0) lane.push(toPlane(view, size, at));
     else if (probe) app.ui.set({ probe: null });
   }
 
@@ -109,11 +110,9 @@ export function createProbe(app) {
    * @param {number} s
    */
   async function read(line, s) {
-    const match = currentMatch(app);
-    const chosen = match?.lines[line];
-    const from = chosen && match?.samples[0]?.points[chosen.from];
-    const to = chosen && match?.samples[1]?.points[chosen.to];
-    if (!from || !to) return;
+    const chosen = shownLines(currentMatch(app))[line];
+    if (!chosen) return;
+    const { from, to } = chosen;
     wanted += 1;
     const turn = wanted;
     const at = /** @type {Point} */ ([from[0] + (to[0] - from[0]) * s, from[1] + (to[1] - from[1]) * s]);
@@ -125,7 +124,7 @@ export function createProbe(app) {
   }
 
   keyboard.addEventListener("keydown", (event) => {
-    const lines = currentMatch(app)?.lines.length ?? 0;
+    const lines = shownLines(currentMatch(app)).length;
     if (lines === 0 || event.ctrlKey || event.metaKey) return;
     const { probe } = app.ui.value;
     const line = probe?.line ?? 0;
@@ -147,7 +146,7 @@ export function createProbe(app) {
 
     render() {
       const { probe, view, size } = app.ui.value;
-      const lines = currentMatch(app)?.lines.length ?? 0;
+      const lines = shownLines(currentMatch(app)).length;
       attribute(keyboard, "aria-valuemax", String(Math.max(1, lines)));
       attribute(keyboard, "aria-valuenow", String((probe?.line ?? 0) + 1));
       attribute(keyboard, "aria-valuetext", probe ? spoken(app, probe) : strings.probe.line(1));
