@@ -30,7 +30,7 @@ pub enum Outcome {
         /// The outlines and the values of their lines.
         problem: Box<Problem>,
         /// The lines; they may leave vertices bare.
-        matching: Matching,
+        matching: Box<Matching>,
         /// Lines with ends of their own, where the document asks for them and the matching is complete.
         pairs: Option<Box<OneToOne>>,
         /// The band between the curves; only where every vertex has a line and no constraint is broken.
@@ -189,7 +189,7 @@ fn matched(model: &Model, problem: Problem, matching: Matching, pairs: Option<Bo
     let count = pairs.as_ref().map_or(matching.lines.len(), |pairs| pairs.lines.len());
     let band = || band(model, &matching, pairs.as_deref(), rulings_per_line(count));
     let band = matching.is_complete().then(band).flatten();
-    let outcome = Outcome::Matched { problem: Box::new(problem), matching, pairs, band };
+    let outcome = Outcome::Matched { problem: Box::new(problem), matching: Box::new(matching), pairs, band };
     State::Ready(Box::new((outcome, diagnostics)))
 }
 
