@@ -46,7 +46,7 @@ fn coordinates() {
     let message = refusal("PointTooLarge", 2, Form::Periodic, &points, None);
     assert_eq!(
         message,
-        "control point 1 is (2000000000000, 1); expected coordinates of at most 1e12 in absolute value"
+        "control point 1 is (2e12, 1); expected coordinates of at most 1e12 in absolute value"
     );
 }
 
