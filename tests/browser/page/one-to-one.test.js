@@ -33,6 +33,7 @@ const plot = (/** @type {import("playwright-core").Page} */ page) => page.locato
 
 test("lines become one to one, the plot, the probe and the status line follow, and undo takes it back", async (t) => {
   const page = await openPage(t);
+  await page.locator("[data-plot] summary").click();
   await eventually(async () => assert.match((await plot(page).getAttribute("aria-label")) ?? "", /\d+ lines/));
   await page.locator("[data-box=one-to-one]").check();
   assert.equal((await documentOf(page)).matching.oneToOne, true);
@@ -77,6 +78,7 @@ test("gaps that keep their lines are problems with a place", async (t) => {
   assert.match(await page.locator("[data-reason]").innerText(), /one to one/);
   await button.click();
   await eventually(async () => assert.ok(await page.locator(".witness").first().isVisible()));
+  await page.locator("[data-plot] summary").click();
   await eventually(async () => assert.match((await plot(page).getAttribute("aria-label")) ?? "", /gaps? keeps? lines/));
   assert.ok((await page.locator(".correspondence .kept").getAttribute("d"))?.includes("L"));
   assert.deepEqual(await audit(page), []);

@@ -6,7 +6,6 @@
  */
 import { attribute, h, svg, write } from "../dom.js";
 import { fixed } from "../format.js";
-import { symbol } from "../icons.js";
 import { unrolled } from "../spline.js";
 import { currentMatch } from "../state/app.js";
 import { keptGaps, shownLines } from "../state/lines.js";
@@ -37,12 +36,7 @@ export function createCorrespondence(app) {
   const marks = svg("svg", { class: "correspondence-marks", "aria-hidden": "true" }, dot);
   const note = h("div", { class: "correspondence-note number" });
   const frame = h("div", { class: "correspondence-frame" }, /** @type {any} */ (plot), /** @type {any} */ (marks));
-  const element = h(
-    "div",
-    { class: "row correspondence-row" },
-    h("span", { class: "row-label" }, symbol("v"), ` ${words.over} `, symbol("u")),
-    h("div", {}, frame, note),
-  );
+  const element = h("div", {}, frame, note);
   /** @type {Point[]} */
   let places = [];
   /** @type {Match | null} */
@@ -96,7 +90,6 @@ export function createCorrespondence(app) {
   /** @param {Match} match */
   function draw(match) {
     const { curves } = app.store.document;
-    element.hidden = match.reparameterisation.length === 0;
     places = fractions(match, curves);
     if (places.length === 0) return;
     const ring = [...places, /** @type {Point} */ ([places[0][0] + 1, places[0][1] + 1])];

@@ -9,6 +9,9 @@ import { checkBox, segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { h } from "../dom.js";
 import { editable } from "../format.js";
+import { symbol } from "../icons.js";
+import { later } from "../later.js";
+import { currentMatch } from "../state/app.js";
 import { patch } from "../state/edits.js";
 import { strings } from "../strings.js";
 import { editing } from "./edit.js";
@@ -57,6 +60,24 @@ export function matchingGroup(app) {
   const oneToOne = checkBox({ name: "one-to-one", text: [words.oneToOne] }, (on) =>
     app.store.commit({ change: (document) => patch(document, "matching", { oneToOne: on }) }),
   );
+  const plot = h(
+    "details",
+    { class: "plot", "data-plot": "" },
+    h("summary", {}, symbol("v"), ` ${strings.correspondence.over} `, symbol("u")),
+  );
+  const correspondence = later(
+    app,
+    () => plot.open,
+    async () => {
+      const { createCorrespondence } = await import("./correspondence.js");
+      return () => {
+        const part = createCorrespondence(app);
+        plot.append(part.element);
+        return part;
+      };
+    },
+  );
+  plot.addEventListener("toggle", () => correspondence.render());
   const body = h(
     "div",
     {},
@@ -66,21 +87,8 @@ export function matchingGroup(app) {
     row(words.alignmentWeight, ...alignment.controls),
     row(words.negative, negative),
     row(words.lines, oneToOne),
+    plot,
   );
-  /** @type {{element: HTMLElement, render: () => void} | null} */
-  let plot = null;
-  let asked = false;
-  /** The plot comes when the group is first seen. */
-  function renderPlot() {
-    plot?.render();
-    if (asked) return;
-    asked = true;
-    void import("./correspondence.js").then(({ createCorrespondence }) => {
-      plot = createCorrespondence(app);
-      body.append(plot.element);
-      plot.render();
-    });
-  }
 
   return {
     name: "matching",
@@ -97,7 +105,8 @@ export function matchingGroup(app) {
       alignment.set(matching.alignmentWeight);
       negative.set(matching.negative);
       oneToOne.set(matching.oneToOne);
-      renderPlot();
+      plot.hidden = currentMatch(app)?.reparameterisation.length === 0;
+      correspondence.render();
     },
   };
 }
