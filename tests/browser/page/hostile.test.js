@@ -64,7 +64,7 @@ test("bad files are refused one after the other, and nothing is lost", { timeout
   }
   await page.locator("[data-action=undo]").click();
   await page.waitForSelector("#status[data-verdict=verified]");
-  assert.ok(await page.locator("[data-action=undo]").isDisabled());
+  await eventually(async () => assert.ok(await page.locator("[data-action=undo]").isDisabled()));
 });
 
 test(`garbled files by the dozen are opened or refused (seed ${SEED})`, { timeout: 180_000 }, async (t) => {
@@ -94,8 +94,9 @@ for (const { name, text, code } of cases.filter(({ code }) => DRAWN.includes(cod
     assert.notEqual(await page.locator("#status").getAttribute("data-verdict"), "verified");
     await handle(page, "A1").focus();
     await page.keyboard.press("ArrowUp");
-    await page.locator("[data-action=undo]").click();
-    assert.ok(await page.locator("[data-action=undo]").isDisabled(), "its history works");
+    const undo = page.locator("[data-action=undo]");
+    await undo.click();
+    await eventually(async () => assert.ok(await undo.isDisabled(), "its history works"));
   });
 }
 

@@ -1,0 +1,54 @@
+/** The package in a browser without a bundler: a worker that hears a cancel while it paints. */
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { root } from "../../scripts/lib/paths.mjs";
+import { base } from "../node/hostile.js";
+import { launch, withPage } from "./support/browser.js";
+import { serve } from "./support/server.js";
+
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("../../scripts/lib/serve.mjs").Served} */
+let served;
+
+before(async () => {
+  [browser, served] = await Promise.all([launch(), serve(join(root, "js"))]);
+});
+after(() => Promise.all([browser.close(), served.close()]));
+
+test("a large picture is painted in steps, and cancelled between them", async () => {
+  await withPage(browser, { allow: /favicon|404/ }, async (page) => {
+    await page.goto(`${served.url}index.js`);
+    const found = await page.evaluate(
+      async ([address, document]) => {
+        const { connect } = await import(/** @type {string} */ (address));
+        const dx = await connect({ module: "figure" });
+        const large = { width: 4096, height: 4096, pixelRatio: 2 };
+        await dx.match(document);
+
+        /** @type {number[]} */
+        const whole = [];
+        const picture = await dx.paint(document, large, { onprogress: (/** @type {number} */ share) => whole.push(share) });
+
+        /** @type {number[]} */
+        const shares = [];
+        const control = new AbortController();
+        const onprogress = (/** @type {number} */ share) => {
+          shares.push(share);
+          if (share > 0.5) control.abort();
+        };
+        const outcome = await dx.paint(document, large, { signal: control.signal, onprogress }).catch((/** @type {Error} */ error) => error.name);
+        const small = await dx.paint(document, { width: 40, height: 30 });
+        dx.close();
+        return { bytes: picture.data.length, steps: whole.length, last: whole.at(-1), shares, outcome, small: small.data.length };
+      },
+      /** @type {const} */ ([`${served.url}index.js`, base]),
+    );
+    assert.equal(found.bytes, 4096 * 4096 * 4);
+    assert.ok(found.steps > 5 && (found.last ?? 1) < 1, `${found.steps} steps`);
+    assert.equal(found.outcome, "AbortError");
+    assert.ok(found.shares.length > 1 && found.shares.length < found.steps, `${found.shares}`);
+    assert.equal(found.small, 40 * 30 * 4);
+  });
+});
