@@ -28,7 +28,7 @@ test("the frame is there for a whole curve and for several points, not for one",
   assert.equal(await page.locator("[data-frame]:visible").count(), 9);
   assert.deepEqual(await audit(page), []);
   await handle(page, "A1").click();
-  assert.equal(await page.locator("[data-frame]:visible").count(), 0);
+  await eventually(async () => assert.equal(await page.locator("[data-frame]:visible").count(), 0));
   await page.keyboard.press("Control+a");
   await eventually(async () => assert.equal(await page.locator("[data-frame]:visible").count(), 9));
 });
