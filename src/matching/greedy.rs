@@ -1,7 +1,7 @@
 //! Greedy ruling line construction.
 
 use super::chain::Chain;
-use super::row::{Candidate, Wedges, visible_lines};
+use super::row::{Candidate, Wedges, ranked_lines};
 use super::visibility::Sight;
 use super::{Bound, Problem, Totals, measure, prune};
 use std::cmp::Ordering;
@@ -129,7 +129,7 @@ impl Greedy {
     }
 
     fn look_from(&mut self, from: usize) {
-        let mut row = visible_lines(&self.problem, &self.wedges, &mut self.sight, from);
+        let mut row = ranked_lines(&self.problem, &self.wedges, &mut self.sight, from);
         for Candidate { line, .. } in &row {
             self.best[0][from] = self.best[0][from].max(line.value);
             self.best[1][line.to] = self.best[1][line.to].max(line.value);

@@ -9,19 +9,35 @@
 //! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum.
 
 mod chain;
+mod exact;
 mod greedy;
+mod irredundant;
+mod lattice;
 mod measure;
 mod outline;
+mod path;
+mod pins;
 mod problem;
 mod prune;
+mod rounds;
 mod row;
+mod shift;
+mod single;
+mod stretch;
+#[cfg(test)]
+mod test_shapes;
 mod value;
 mod visibility;
 
+pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, Policy, exact};
 pub use greedy::{Greedy, Matching, RulingLine, greedy};
+pub use irredundant::irredundant;
 pub use measure::{Bound, Totals, measure};
 pub use outline::Outline;
 pub use problem::{Layout, Problem, ProblemError};
 pub use prune::prune;
+pub use shift::{best_shift, shifted};
+pub use single::{OnePerVertex, SingleLines, one_per_vertex};
+pub use stretch::Stretch;
 pub use value::{NegativeProducts, Weights, round_to_40_bits};
 pub use visibility::blocking_edge;

@@ -47,20 +47,30 @@ impl Wedges {
     }
 }
 
-/// Returns every line that vertex `from` of the first outline could have, the best last.
+/// Yields every line that vertex `from` of the first outline could have, by ascending vertex of the second.
 pub(super) fn visible_lines(
     problem: &Problem,
     wedges: &Wedges,
     sight: &mut Sight,
     from: usize,
-) -> Vec<Candidate> {
-    let mut candidates: Vec<Candidate> = (0..problem.counts().1)
-        .filter(|&to| !wedges.leave_band(problem, from, to) && sight.is_clear(from, to))
-        .map(|to| {
+) -> impl Iterator<Item = RulingLine> {
+    (0..problem.counts().1)
+        .filter(move |&to| !wedges.leave_band(problem, from, to) && sight.is_clear(from, to))
+        .map(move |to| {
             let value = problem.value(from, to);
-            let line = RulingLine { from, to, lifted: problem.lift(from, to), value };
-            Candidate { rank: problem.rank(from, to, value), line }
+            RulingLine { from, to, lifted: problem.lift(from, to), value }
         })
+}
+
+/// Returns the lines of [`visible_lines`] in greedy order, the best last.
+pub(super) fn ranked_lines(
+    problem: &Problem,
+    wedges: &Wedges,
+    sight: &mut Sight,
+    from: usize,
+) -> Vec<Candidate> {
+    let mut candidates: Vec<Candidate> = visible_lines(problem, wedges, sight, from)
+        .map(|line| Candidate { rank: problem.rank(line.from, line.to, line.value), line })
         .collect();
     candidates.sort_unstable_by(Candidate::compare);
     candidates
