@@ -21,7 +21,7 @@ pub enum Objective {
 }
 
 impl Objective {
-    fn rule(self) -> Rule {
+    pub(super) fn rule(self) -> Rule {
         match self {
             Self::Integral => Rule::Cover { cells: 0.0, steps: 1.0, price: 0.0 },
             Self::Sum => Rule::Cover { cells: 1.0, steps: 0.0, price: 0.0 },
@@ -323,7 +323,7 @@ fn with_occluded(problem: &Problem, visible: &Lattice) -> Lattice {
 #[cfg(test)]
 mod tests {
     use super::super::rounds::best_by_brute_force;
-    use super::super::test_shapes::{Numbers, random_problem};
+    use super::super::test_shapes::{Numbers, random_crossing, random_problem};
     use super::super::{Bound, blocking_edge, measure};
     use super::*;
     use crate::geom::segments_meet;
@@ -349,7 +349,7 @@ mod tests {
     fn best_by_conflicts(problem: &Problem, objective: Objective) -> Option<f64> {
         let (a, b) = problem.counts();
         let [first, second] = problem.outlines();
-        let visible = |i: usize, j: usize| blocking_edge(problem.outlines(), i, j).is_none();
+        let visible = |i: usize, j: usize| problem.is_visible(i, j);
         let lines: Vec<(usize, usize)> =
             (0..a).flat_map(|i| (0..b).map(move |j| (i, j))).filter(|&(i, j)| visible(i, j)).collect();
         let crosses = |(i, j): (usize, usize), (k, l): (usize, usize)| {
@@ -400,8 +400,9 @@ mod tests {
     fn small_instances_equal_a_search_without_a_lattice() {
         let mut numbers = Numbers(20_261_125);
         let (mut feasible, mut infeasible) = (0, 0);
-        for case in 0..120 {
-            let problem = random_problem(&mut numbers, 3, 5);
+        for case in 0..180 {
+            let make = if case < 120 { random_problem } else { random_crossing };
+            let problem = make(&mut numbers, 3, 5);
             for objective in OBJECTIVES {
                 let expected = best_by_conflicts(&problem, objective);
                 let found = solve(&problem, objective);
@@ -415,7 +416,7 @@ mod tests {
                 }
             }
         }
-        assert!(feasible > 200 && infeasible > 10, "{feasible} and {infeasible}");
+        assert!(feasible > 300 && infeasible > 100, "{feasible} and {infeasible}");
     }
 
     #[test]
@@ -599,5 +600,25 @@ mod tests {
         };
         assert!(pauses > 30);
         assert_eq!(outcome, solve(&problem, Objective::Integral));
+    }
+
+    #[test]
+    fn crossing_projections_are_matched_between_them() {
+        let mut numbers = Numbers(2);
+        let mut feasible = 0;
+        for case in 0..400 {
+            let problem = random_crossing(&mut numbers, 4, 30);
+            let lattice = lattice(&problem);
+            let (a, b) = problem.counts();
+            for (i, j) in (0..a).flat_map(|i| (0..b).map(move |j| (i, j))) {
+                let is_line = lattice.row(i).at(problem.lift(i, j)) != ABSENT;
+                assert_eq!(is_line, problem.is_visible(i, j), "case {case}: {i} to {j}");
+            }
+            let Ok(found) = solve(&problem, Objective::Integral) else { continue };
+            feasible += 1;
+            let totals = measure(&problem, &found.lines, Bound::new(&problem, &found.best));
+            assert_eq!((totals.crossings, totals.blocked), (0, 0), "case {case}");
+        }
+        assert!(feasible > 150, "{feasible}");
     }
 }

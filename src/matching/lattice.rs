@@ -164,6 +164,8 @@ pub(super) struct Survey {
     sight: Sight,
     lattice: Lattice,
     line_buffer: Vec<(i64, f64)>,
+    /// First and last column looked at in each row; without, all are.
+    band: Option<Vec<(i64, i64)>>,
 }
 
 impl Survey {
@@ -174,14 +176,27 @@ impl Survey {
             sight: Sight::new(problem.outlines()),
             lattice: Lattice::new(shares),
             line_buffer: Vec::new(),
+            band: None,
         }
+    }
+
+    /// A survey of the cells between a first and a last column of each row alone.
+    pub(super) fn within(problem: &Problem, band: Vec<(i64, i64)>) -> Self {
+        Self { band: Some(band), ..Self::new(problem) }
     }
 
     /// Adds one row; returns whether there are more.
     pub(super) fn advance(&mut self, problem: &Problem) -> bool {
         let from = self.lattice.height();
         self.line_buffer.clear();
-        let lines = visible_lines(problem, &self.wedges, &mut self.sight, from);
+        let b = self.lattice.counts().1;
+        let (vertices, range) = match &self.band {
+            Some(band) => (band[from].0..=band[from].1, band[from]),
+            None => (0..=b as i64 - 1, (i64::MIN, i64::MAX)),
+        };
+        let vertices = vertices.take(b).map(|column| column.rem_euclid(b as i64) as usize);
+        let lines = visible_lines(problem, &self.wedges, &mut self.sight, from, vertices)
+            .filter(|line| (range.0..=range.1).contains(&line.lifted));
         self.line_buffer.extend(lines.map(|line| (line.lifted, line.value)));
         self.lattice.push_row(&self.line_buffer);
         self.lattice.height() < self.lattice.counts().0

@@ -9,6 +9,7 @@
 //! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum.
 
 mod chain;
+mod even;
 mod exact;
 mod greedy;
 mod irredundant;
@@ -19,6 +20,7 @@ mod path;
 mod pins;
 mod problem;
 mod prune;
+mod refine;
 mod rounds;
 mod row;
 mod shift;
@@ -36,6 +38,7 @@ pub use measure::{Bound, Totals, measure};
 pub use outline::Outline;
 pub use problem::{Layout, Problem, ProblemError};
 pub use prune::prune;
+pub use refine::{Refine, Refined};
 pub use shift::{best_shift, shifted};
 pub use single::{OnePerVertex, SingleLines, one_per_vertex};
 pub use stretch::Stretch;

@@ -1,6 +1,6 @@
 //! Random pairs of outlines for the unit tests.
 
-use super::{Outline, Problem, Weights};
+use super::{Layout, Outline, Problem, Weights};
 use glam::{DVec2, dvec2};
 use std::f64::consts::TAU;
 
@@ -75,6 +75,20 @@ pub(super) fn random_problem(numbers: &mut Numbers, low: usize, high: usize) -> 
         let normal = if numbers.next() < 0.2 { 0.0 } else { 1.0 };
         if let Ok(problem) = Problem::new(pair, Weights { normal, ..Weights::default() }, 0.0) {
             return problem;
+        }
+    }
+}
+
+/// A random pair at different heights whose projections cross.
+pub(super) fn random_crossing(numbers: &mut Numbers, low: usize, high: usize) -> Problem {
+    loop {
+        let counts = [numbers.whole(low, high), numbers.whole(low, high)];
+        let center = dvec2(numbers.between(-0.4, 0.4), numbers.between(-0.4, 0.4));
+        let pair =
+            [lobed(numbers, 1.0, 0.5, counts[0], center), lobed(numbers, 1.2, 0.5, counts[1], DVec2::ZERO)];
+        match Problem::new(pair, Weights::default(), 0.5) {
+            Ok(problem) if problem.layout() == Layout::Crossing => return problem,
+            Ok(_) | Err(_) => {}
         }
     }
 }

@@ -142,8 +142,7 @@ impl MatchResult {
 }
 
 fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
-    let visible =
-        |line: &RulingLine| crate::matching::blocking_edge(problem.outlines(), line.from, line.to).is_none();
+    let visible = |line: &RulingLine| problem.is_visible(line.from, line.to);
     matching
         .lines
         .iter()
