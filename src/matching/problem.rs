@@ -1,7 +1,7 @@
 //! Two outlines made ready for matching.
 
 use super::value::End;
-use super::{Outline, Weights, blocking_edge, round_to_40_bits};
+use super::{NegativeProducts, Outline, Weights, blocking_edge, round_to_40_bits};
 use crate::geom::{
     Bounds, Location, ShownPlace, deepest_point, first_contact, first_self_contact, locate, segment_crossing,
     signed_area,
@@ -202,8 +202,8 @@ impl Problem {
     /// smaller second number, which is the length where negative products are clamped and 0 elsewhere.
     pub(super) fn rank(&self, from: usize, to: usize, value: f64) -> (f64, f64) {
         let tie = match self.weights.negative {
-            super::NegativeProducts::Clamp => round_to_40_bits(self.length(from, to)),
-            super::NegativeProducts::Signed | super::NegativeProducts::Half => 0.0,
+            NegativeProducts::Clamp => round_to_40_bits(self.length(from, to)),
+            NegativeProducts::Signed | NegativeProducts::Half | NegativeProducts::Printed => 0.0,
         };
         (round_to_40_bits(value), tie)
     }

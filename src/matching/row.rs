@@ -57,7 +57,8 @@ impl Wedges {
     }
 }
 
-/// Yields the lines that vertex `from` of the first outline could have to some vertices of the second, in their order.
+/// Yields the lines that vertex `from` of the first outline could have to some vertices of the second, in their order; lines
+/// without a value are none.
 pub(super) fn visible_lines(
     problem: &Problem,
     wedges: &Wedges,

@@ -12,6 +12,9 @@ pub enum NegativeProducts {
     Clamp,
     /// ((1 + c) / 2)^w: never negative.
     Half,
+    /// c^w as printed: an even w rewards opposed normals, and for a fractional w a line with c < 0 has no value, minus infinity here; it is
+    /// never taken.
+    Printed,
 }
 
 /// What the value of a line weighs, each weight at least 0.
@@ -73,6 +76,10 @@ impl Weights {
             NegativeProducts::Signed => power(cosine.abs()).copysign(cosine),
             NegativeProducts::Clamp => power(cosine.max(0.0)),
             NegativeProducts::Half => power((1.0 + cosine.clamp(-1.0, 1.0)) / 2.0),
+            NegativeProducts::Printed => {
+                let value = power(cosine);
+                if value.is_nan() { f64::NEG_INFINITY } else { value }
+            }
         }
     }
 }
@@ -121,6 +128,15 @@ mod tests {
         assert!((value(mode(NegativeProducts::Half), 120.0, 0.0) - 0.25 / 4.0).abs() < 1e-15);
         let length_only = Weights { normal: 0.0, distance: 1.0, ..Weights::default() };
         assert_eq!(value(length_only, 120.0, 0.0), 0.5);
+    }
+
+    #[test]
+    fn printed_products_reward_opposed_normals_or_have_no_value() {
+        let printed = |normal| Weights { normal, negative: NegativeProducts::Printed, ..Weights::default() };
+        assert!((value(printed(2.0), 120.0, 0.0) - 0.25 / 4.0).abs() < 1e-15);
+        assert!((value(printed(1.0), 120.0, 0.0) + 0.5 / 4.0).abs() < 1e-15);
+        assert_eq!(value(printed(0.5), 120.0, 0.0), f64::NEG_INFINITY);
+        assert!((value(printed(0.5), 60.0, 0.0) - 0.5_f64.sqrt() / 4.0).abs() < 1e-15);
     }
 
     #[test]
