@@ -49,8 +49,19 @@ export interface CurvesDocument {
   title?: string;
   unit?: string;
   materials?: Material[];
+  /** Two; fewer while they are being drawn. */
   curves: Curve[];
-  sampling?: { scheme?: "parameter" | "arc-length" | "adaptive"; counts?: [number, number] };
+  sampling?: {
+    scheme?: "parameter" | "arc-length" | "adaptive";
+    /** Samples of each curve; adaptive samples ignore it. */
+    counts?: [number, number];
+    /** Of adaptive samples: greatest distance of a curve from the chords. */
+    tolerance?: number;
+    /** Of adaptive samples: degrees. */
+    maxTurn?: number;
+    /** Of adaptive samples: fewest of each curve. */
+    minCount?: number;
+  };
   matching: {
     method: "exact" | "greedy" | "one-per-vertex" | "shift" | "parameter";
     normalWeight?: number;
@@ -71,7 +82,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "corner" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -120,9 +131,10 @@ export interface Match {
   /** Whether every sample has a line, none cross and none is blocked. */
   ok: boolean;
   diagnostics: Diagnostic[];
-  /** Which curves were drawn clockwise; on those u becomes lo + hi - u. */
-  reversed: [boolean, boolean];
-  samples: [Samples, Samples];
+  /** Of each curve that is there: whether it was drawn clockwise; on those u becomes lo + hi - u. */
+  reversed: boolean[];
+  /** Of each curve that is there. */
+  samples: Samples[];
   /** In cyclic order. */
   lines: Line[];
   /** One-to-one pairs; empty in this release. */

@@ -5,7 +5,9 @@ mod golden;
 mod support;
 
 use directrix::document::Json;
-use directrix::document::{Code, Diagnostic, DocumentError, Outcome, Solution, Solve, read_text, write_text};
+use directrix::document::{
+    Code, Diagnostic, DocumentError, Outcome, Solution, Solve, insert_point, read_text, write_text,
+};
 use directrix::matching::blocking_edge;
 use directrix::picture::{PictureOptions, figure, paint, to_svg};
 use glam::{DVec2, dvec2};
@@ -278,6 +280,68 @@ fn geometry_that_cannot_be_matched_is_explained() {
 }
 
 #[test]
+fn adaptive_samples_are_as_many_as_the_shape_needs() {
+    let count = |sampling: Value| {
+        let mut document = rings();
+        document["sampling"] = sampling;
+        let solution = matched(&document).expect("valid");
+        let limits = codes(&solution).iter().filter(|&&code| code == "sample-limit").count();
+        assert!(solution.is_complete(), "{:?}", solution.diagnostics);
+        let counts: Vec<usize> = solution.model.samples().iter().map(|s| s.points.len()).collect();
+        (counts, limits)
+    };
+    // The turn decides on round curves: 360 / 24 is 15 degrees, give or take the waves of the spline.
+    assert_eq!(count(json!({"scheme": "adaptive", "maxTurn": 16, "tolerance": 1})), (vec![24, 24], 0));
+    assert_eq!(
+        count(json!({"scheme": "adaptive", "maxTurn": 90, "tolerance": 9, "minCount": 20})),
+        (vec![20, 20], 0)
+    );
+    // Chords of 30 degrees lie 1.02 inside the larger ring and a third of that inside the smaller one.
+    assert_eq!(count(json!({"scheme": "adaptive", "maxTurn": 90, "tolerance": 0.5})), (vec![12, 24], 0));
+    assert_eq!(count(json!({"scheme": "adaptive", "tolerance": 1e-9})), (vec![1000, 1000], 2));
+    let counts = json!({"scheme": "adaptive", "maxTurn": 16, "tolerance": 1, "counts": [5, 900]});
+    assert_eq!(count(counts), (vec![24, 24], 0), "counts are those of the other schemes");
+}
+
+#[test]
+fn drawings_in_progress_are_shown_and_say_what_is_missing() {
+    let whole = rings();
+    for count in 0..2 {
+        let mut document = whole.clone();
+        document["curves"] = whole["curves"].as_array().expect("a list")[..count].into();
+        let solution = matched(&document).expect("valid");
+        assert!(!solution.is_complete() && matches!(solution.outcome, Outcome::Unmatched));
+        assert_eq!(codes(&solution), ["incomplete"]);
+        let message = solution.diagnostics[0].to_string();
+        assert!(message.starts_with(&format!("{count} of 2 curves")), "{message}");
+        assert_eq!((solution.model.samples().len(), solution.model.reversed().len()), (count, count));
+        draw(&solution);
+        let read = read_text(&document.to_string()).expect("valid");
+        assert_eq!(read_text(&write_text(&read).expect("finite")), Ok(read.clone()));
+        let beyond = insert_point(read, count, 0.5).expect_err("no such curve");
+        assert_eq!((beyond.code, beyond.path.as_str()), (Code::Range, "curve"), "{beyond}");
+    }
+
+    let mut one = whole.clone();
+    one["curves"] = json!([whole["curves"][1]]);
+    let finer = insert_point(read_text(&one.to_string()).expect("valid"), 0, 0.3).expect("a curve");
+    assert_eq!(finer.curves[0].points.len(), 13);
+    let eight = json!([[10, 0], [10, 10], [-10, -10], [-10, 0], [-10, 10], [10, -10]]);
+    one["curves"][0]["points"] = eight;
+    refused(&one, Code::SelfIntersection, "curves[0].points");
+
+    let mut none = whole;
+    none["curves"] = json!([]);
+    let solution = matched(&none).expect("valid");
+    let options = r#"{"width": 400, "height": 300}"#;
+    let options = PictureOptions::read(&Json::parse(options).expect("JSON")).expect("valid options");
+    let view = options.viewport(&solution.model);
+    assert_eq!(view.center, DVec2::ZERO);
+    let seen = view.visible();
+    assert!(seen.max.y >= 50.0 && seen.max.y < 70.0, "100 units and a margin: {seen:?}");
+}
+
+#[test]
 fn vertices_that_see_nothing_are_named_and_the_partial_result_is_sound() {
     // A C that nearly closes round its own hollow.
     let c: Vec<[f64; 2]> = (0..=24)
@@ -332,11 +396,11 @@ fn drawing_direction_and_order_of_the_curves_do_not_matter() {
     let eta = |document: &Value| {
         let solution = matched(document).expect("valid");
         let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("matched") };
-        (solution.model.reversed(), matching.totals.eta.expect("covered"))
+        (solution.model.reversed().to_vec(), matching.totals.eta.expect("covered"))
     };
     let (straight, eta_straight) = eta(&pair(json!(points(0.3)), json!(outer)));
     let (turned, eta_turned) = eta(&pair(json!(points(0.3)), json!(clockwise)));
-    assert_eq!((straight, turned), ([false, false], [false, true]));
+    assert_eq!((straight, turned), (vec![false, false], vec![false, true]));
     // The seam moves with the drawing direction, and the samples with it.
     assert!((eta_straight - eta_turned).abs() < 0.02);
     let (_, eta_swapped) = eta(&pair(json!(outer), json!(points(0.3))));
@@ -380,7 +444,8 @@ fn mutate(document: &mut Value, pick: usize, value: Value) {
 #[test]
 fn mutated_documents_never_panic() {
     let mut full: Value = rings();
-    full["sampling"] = json!({"scheme": "parameter", "counts": [9, 11]});
+    full["sampling"] =
+        json!({"scheme": "adaptive", "counts": [9, 11], "tolerance": 1, "maxTurn": 40, "minCount": 9});
     full["blend"] = json!({"kind": "ruled", "stages": 3});
     full["view"] =
         json!({"s": 0.5, "center": [0, 0], "span": 90, "layers": ["grid", "normals", "value", "unitCells"]});

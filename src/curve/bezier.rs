@@ -38,19 +38,31 @@ impl Bezier {
         Self { points, lo: self.lo, hi: self.hi }
     }
 
-    /// The two halves, by de Casteljau's algorithm.
+    /// The two halves.
     pub(super) fn halves(&self) -> (Self, Self) {
+        self.split(0.5)
+    }
+
+    /// The part between two parameters of the whole curve that enclose some of `[lo, hi]`.
+    pub(super) fn between(&self, from: f64, to: f64) -> Self {
+        let share = |part: &Self, u: f64| (u - part.lo) / (part.hi - part.lo);
+        let part = if from > self.lo { self.split(share(self, from)).1 } else { self.clone() };
+        if to < part.hi { part.split(share(&part, to)).0 } else { part }
+    }
+
+    /// The parts before and after t in [0, 1], by de Casteljau's algorithm.
+    fn split(&self, t: f64) -> (Self, Self) {
         let mut right = self.points.clone();
         let mut left = Vec::with_capacity(right.len());
         for last in (0..right.len()).rev() {
             left.push(right[0]);
             for i in 0..last {
-                right[i] = (right[i] + right[i + 1]) / 2.0;
+                right[i] = right[i] * (1.0 - t) + right[i + 1] * t;
             }
         }
-        // The steps leave the right half in place: after the step that shortens the row to `last` entries the
+        // The steps leave the right part in place: after the step that shortens the row to `last` entries the
         // entry behind it is final.
-        let middle = self.lo + (self.hi - self.lo) / 2.0;
+        let middle = self.lo + (self.hi - self.lo) * t;
         (Self { points: left, lo: self.lo, hi: middle }, Self { points: right, lo: middle, hi: self.hi })
     }
 
@@ -115,6 +127,19 @@ mod tests {
             assert!((right.point(t) - whole.point(0.5 + t / 2.0)).length() < 1e-14);
         }
         assert_eq!((left.hi, right.lo), (3.0, 3.0));
+    }
+
+    #[test]
+    fn a_part_is_the_same_curve() {
+        let whole = arch();
+        for (from, to) in [(2.0, 4.0), (2.3, 4.0), (1.0, 3.1), (2.7, 2.9)] {
+            let part = whole.between(from, to);
+            assert!((part.lo - from.max(2.0)).abs() < 1e-15 && (part.hi - to).abs() < 1e-15);
+            for t in [0.0, 0.3, 1.0] {
+                let at = (part.parameter(t) - whole.lo) / (whole.hi - whole.lo);
+                assert!((part.point(t) - whole.point(at)).length() < 1e-14);
+            }
+        }
     }
 
     #[test]

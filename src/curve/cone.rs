@@ -62,6 +62,15 @@ impl Cone {
         }
     }
 
+    /// Angle in radians between the two ends; a half turn stands for that and more.
+    pub(super) fn angle(self) -> f64 {
+        match self {
+            Self::Empty => 0.0,
+            Self::Narrow { right, left } => right.angle_to(left).abs(),
+            Self::Wide => std::f64::consts::PI,
+        }
+    }
+
     /// Whether the cone stays below a half turn.
     pub(super) fn is_narrow(self) -> bool {
         self != Self::Wide

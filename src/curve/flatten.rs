@@ -43,12 +43,16 @@ impl ClosedBSpline {
 
 /// Whether the control points, and with them the curve, stay within `tolerance` of the chord.
 fn is_flat(piece: &Bezier, tolerance: f64) -> bool {
-    let start = piece.points[0];
-    let chord = piece.points[piece.degree()] - start;
+    reach_squared(&piece.points, piece.points[0], piece.points[piece.degree()]) <= tolerance * tolerance
+}
+
+/// Square of the greatest distance of control points, and so at least of their curve, from the segment `start end`.
+pub(super) fn reach_squared(points: &[DVec2], start: DVec2, end: DVec2) -> f64 {
+    let chord = end - start;
     let length_sq = chord.length_squared();
-    piece.points.iter().all(|point| {
+    points.iter().fold(0.0, |reach: f64, point| {
         let offset = *point - start;
         let along = if length_sq > 0.0 { (offset.dot(chord) / length_sq).clamp(0.0, 1.0) } else { 0.0 };
-        offset.distance_squared(chord * along) <= tolerance * tolerance
+        reach.max(offset.distance_squared(chord * along))
     })
 }

@@ -5,6 +5,7 @@
 //! lengths, nearest point, intersections) turn every knot span into a Bezier curve and work in coordinates
 //! about the middle of the curve, so a shape far from the origin loses nothing.
 
+mod adaptive;
 mod arc_length;
 mod basis;
 mod bezier;
@@ -20,6 +21,7 @@ mod meeting;
 mod nearest;
 mod sample;
 
+pub use adaptive::{Fineness, sample_adaptively};
 pub use arc_length::ArcLength;
 pub use closed_bspline::{ClosedBSpline, Form};
 pub use corner::Corner;

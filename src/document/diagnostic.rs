@@ -9,6 +9,11 @@ use std::fmt;
 /// Curves are numbered as in the document, vertices along the counter-clockwise curve.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Diagnostic {
+    /// A drawing in progress: fewer than two curves.
+    Incomplete {
+        /// Number of curves that are there, 0 or 1.
+        curves: usize,
+    },
     /// A curve has a corner; the normal there is the bisector of the two sides.
     Corner {
         /// Number of the curve.
@@ -19,6 +24,11 @@ pub enum Diagnostic {
         at: DVec2,
         /// Turn of the tangent in degrees, positive to the left.
         turn: f64,
+    },
+    /// A curve would need more than 1000 adaptive samples: it has 1000, where they help most.
+    SampleLimit {
+        /// Number of the curve.
+        curve: usize,
     },
     /// Lines whose ends have opposed normals; with signed products such a line is less bad when longer.
     OpposedNormals {
@@ -39,6 +49,13 @@ pub enum Diagnostic {
         /// Indices of the vertices.
         vertices: Vec<usize>,
     },
+    /// A gap between two lines in which inserted lines meet a polygon or another line; it keeps the lines it had.
+    UnverifiedGap {
+        /// Indices of the pairs from one side of the gap to the other.
+        lines: Vec<usize>,
+        /// Where an inserted line failed.
+        at: DVec2,
+    },
     /// Neither curve lies inside the other.
     Disjoint,
     /// Curves at different heights whose projections cross.
@@ -58,10 +75,13 @@ impl Diagnostic {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
+            Self::Incomplete { .. } => "incomplete",
             Self::Corner { .. } => "corner",
+            Self::SampleLimit { .. } => "sample-limit",
             Self::OpposedNormals { .. } => "opposed-normals",
             Self::Orphan { .. } => "orphan",
             Self::Stuck { .. } => "stuck",
+            Self::UnverifiedGap { .. } => "unverified-gap",
             Self::Disjoint => "disjoint",
             Self::Crossing { .. } => "crossing",
             Self::CoarseSampling { .. } => "coarse-sampling",
@@ -73,9 +93,24 @@ impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let near = |f: &mut fmt::Formatter<'_>, at: &DVec2| write!(f, " near {}", ShownPlace(*at));
         match self {
+            Self::Incomplete { curves: 0 } => {
+                write!(f, "0 of 2 curves are there; draw or import two closed curves, one inside the other")
+            }
+            Self::Incomplete { curves } => {
+                write!(
+                    f,
+                    "{curves} of 2 curves is there; draw or import a second one, inside it or around it"
+                )
+            }
             Self::Corner { curve, at, turn, .. } => {
                 write!(f, "curve {curve} has a corner of {} degrees", turn.round())?;
                 near(f, at)
+            }
+            Self::SampleLimit { curve } => {
+                write!(
+                    f,
+                    "curve {curve} has the most samples allowed, 1000, and would need more; raise the tolerance or the turn"
+                )
             }
             Self::OpposedNormals { lines } => {
                 write!(f, "{} lines join points with opposed normals", lines.len())
@@ -90,6 +125,11 @@ impl fmt::Display for Diagnostic {
                     vertices.len()
                 )
             }
+            Self::UnverifiedGap { at, .. } => {
+                write!(f, "no one-to-one lines fit into a gap")?;
+                near(f, at)?;
+                write!(f, "; it keeps the lines it had")
+            }
             Self::Disjoint => write!(f, "neither curve lies inside the other; move one curve into the other"),
             Self::Crossing { at } => {
                 write!(f, "the curves cross in projection")?;
@@ -99,7 +139,7 @@ impl fmt::Display for Diagnostic {
             Self::CoarseSampling { at } => {
                 write!(f, "the sampled polygons meet although the curves do not")?;
                 at.iter().try_for_each(|at| near(f, at))?;
-                write!(f, "; raise the sample counts")
+                write!(f, "; take more samples")
             }
         }
     }

@@ -3,14 +3,13 @@
 use super::DocumentError;
 use super::node::Node;
 use super::schema::{
-    Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LayerName, MatchingSpec, MaterialSpec,
-    Method, NegativeMode, Policy, Sampling, SamplingScheme, View,
+    Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LARGEST, LayerName, MatchingSpec,
+    MaterialSpec, Method, NegativeMode, Policy, SMALLEST, Sampling, SamplingScheme, View,
 };
+use crate::curve::Fineness;
 
 type Read<T> = Result<T, DocumentError>;
 
-/// Greatest absolute coordinate, height and length of a document.
-const LARGEST: f64 = 1e12;
 /// Greatest exponent in the value of a line.
 const LARGEST_WEIGHT: f64 = 100.0;
 
@@ -33,14 +32,15 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
         None => Ok(default.to_owned()),
     };
     let materials = materials(node)?;
+    let curves = curves(&node.need("curves")?, materials.len())?;
     Ok(CurvesDocument {
         directrix: 1,
         kind: Kind::Curves,
         title: text("title", 200, "Untitled")?,
         unit: text("unit", 16, "mm")?,
-        curves: curves(&node.need("curves")?, materials.len())?,
         materials,
-        sampling: node.get("sampling")?.map_or_else(|| Ok(Sampling::default()), |n| sampling(&n))?,
+        sampling: node.get("sampling")?.map_or_else(|| Ok(Sampling::default()), |n| sampling(&n, &curves))?,
+        curves,
         matching: matching(&node.need("matching")?)?,
         blend: node.get("blend")?.map_or_else(|| Ok(Blend::default()), |n| blend(&n))?,
         view: node.get("view")?.map(|n| view(&n)).transpose()?,
@@ -68,7 +68,6 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     if let Some(third) = items.get(2) {
         return Err(third.not_yet("stacks of more than two curves"));
     }
-    list.check_count(items.len(), " curves", 2..=2)?;
     let mut curves = Vec::with_capacity(items.len());
     for (number, item) in items.iter().enumerate() {
         curves.push(curve(item, &pure(number.min(materials - 1), materials))?);
@@ -123,23 +122,31 @@ fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
     Ok(numbers)
 }
 
-fn sampling(node: &Node<'_>) -> Read<Sampling> {
+fn sampling(node: &Node<'_>, curves: &[CurveSpec]) -> Read<Sampling> {
     node.only(&["scheme", "counts", "tolerance", "maxTurn", "minCount"])?;
     let mut sampling = Sampling::default();
     if let Some(scheme) = node.get("scheme")? {
         sampling.scheme = match scheme.choice(&["parameter", "arc-length", "adaptive"])? {
             0 => SamplingScheme::Parameter,
             1 => SamplingScheme::ArcLength,
-            _ => return Err(scheme.not_yet("adaptive samples")),
+            _ => SamplingScheme::Adaptive,
         };
     }
-    later(node, &["tolerance", "maxTurn", "minCount"], "settings of adaptive samples")?;
     if let Some(counts) = node.get("counts")? {
         let items = counts.items()?;
         counts.check_count(items.len(), " counts", 2..=2)?;
         for (count, item) in sampling.counts.iter_mut().zip(&items) {
             *count = item.count_within(3..=1000)?;
         }
+    }
+    sampling.tolerance = node.get("tolerance")?.map(|n| n.within(SMALLEST..=LARGEST)).transpose()?;
+    sampling.max_turn = node.get("maxTurn")?.map(|n| n.within(1.0..=90.0)).transpose()?;
+    sampling.min_count = node.get("minCount")?.map(|n| n.count_within(3..=1000)).transpose()?;
+    if sampling.scheme == SamplingScheme::Adaptive {
+        let Fineness { tolerance, max_turn, min_count } = sampling.fineness(curves);
+        sampling.tolerance = Some(tolerance);
+        sampling.max_turn = Some(max_turn);
+        sampling.min_count = Some(min_count);
     }
     Ok(sampling)
 }
@@ -166,11 +173,6 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
     }
     later(node, &["objective", "linePrice", "lines"], "settings of exact methods")?;
     later(node, &["shift"], "settings of the method `shift`")?;
-    if let Some(flag) = node.get("oneToOne")?
-        && flag.flag()?
-    {
-        return Err(flag.not_yet("one-to-one lines"));
-    }
     if let Some(policy) = node.get("policy")?
         && policy.choice(&["strict", "repair"])? != 0
     {
@@ -195,7 +197,7 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
             1 => NegativeMode::Clamp,
             _ => NegativeMode::Half,
         },
-        one_to_one: false,
+        one_to_one: node.get("oneToOne")?.map_or(Ok(false), |n| n.flag())?,
         policy: Policy::Strict,
     })
 }

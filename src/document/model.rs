@@ -1,21 +1,24 @@
 //! The curves of a document, ready for evaluation.
 
-use super::schema::{CurveForm, CurveSpec, NegativeMode, SamplingScheme};
+use super::schema::{BLANK, CurveForm, CurveSpec, NegativeMode, SamplingScheme};
 use super::{Code, CurvesDocument, DocumentError};
-use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample};
+use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
 use crate::geom::{Bounds, ShownPlace};
 use crate::matching::{NegativeProducts, Weights};
 use crate::material::{Color, Composition, Material, Profile};
 use glam::DVec2;
 
 /// A document with its curves built, turned counter-clockwise and sampled, and its compositions checked.
+///
+/// A drawing in progress has no curve or one; [`pair`](Self::pair) is there once it has two.
 #[derive(Debug, Clone)]
 pub struct Model {
     document: CurvesDocument,
-    curves: [ClosedBSpline; 2],
-    reversed: [bool; 2],
-    samples: [Samples; 2],
-    profiles: [Profile; 2],
+    curves: Vec<ClosedBSpline>,
+    reversed: Vec<bool>,
+    samples: Vec<Samples>,
+    coarse: Vec<usize>,
+    profiles: Vec<Profile>,
     materials: Vec<Material>,
 }
 
@@ -27,24 +30,22 @@ impl Model {
     /// each other are built; [`fault`](Self::fault) tells.
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
         let materials = materials(&document)?;
-        let profiles = [profile(&document, 0)?, profile(&document, 1)?];
-        let (first, first_reversed) = curve(&document.curves[0], 0)?;
-        let (second, second_reversed) = curve(&document.curves[1], 1)?;
-        let curves = [first, second];
-        let scheme = match document.sampling.scheme {
-            SamplingScheme::Parameter => Scheme::Parameter,
-            SamplingScheme::ArcLength => Scheme::ArcLength,
-        };
-        let counts = &document.sampling.counts;
-        let samples = [sample(&curves[0], scheme, counts[0]), sample(&curves[1], scheme, counts[1])];
-        Ok(Self {
-            curves,
-            reversed: [first_reversed, second_reversed],
-            samples,
-            profiles,
-            materials,
-            document,
-        })
+        let (mut curves, mut reversed, mut profiles) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, spec) in document.curves.iter().enumerate() {
+            profiles.push(profile(&document, k)?);
+            let (curve, is_reversed) = curve(spec, k)?;
+            curves.push(curve);
+            reversed.push(is_reversed);
+        }
+        let (mut samples, mut coarse) = (Vec::new(), Vec::new());
+        for (k, curve) in curves.iter().enumerate() {
+            let (taken, is_fine) = samples_of(curve, k, &document);
+            samples.push(taken);
+            if !is_fine {
+                coarse.push(k);
+            }
+        }
+        Ok(Self { curves, reversed, samples, coarse, profiles, materials, document })
     }
 
     /// The document.
@@ -53,22 +54,34 @@ impl Model {
         &self.document
     }
 
-    /// The two curves, counter-clockwise.
+    /// The curves that are there, at most two, counter-clockwise.
     #[must_use]
-    pub fn curves(&self) -> &[ClosedBSpline; 2] {
+    pub fn curves(&self) -> &[ClosedBSpline] {
         &self.curves
     }
 
     /// Which curves were drawn clockwise and are reversed here.
     #[must_use]
-    pub fn reversed(&self) -> [bool; 2] {
-        self.reversed
+    pub fn reversed(&self) -> &[bool] {
+        &self.reversed
     }
 
-    /// Samples of the two counter-clockwise curves.
+    /// Samples of the counter-clockwise curves.
     #[must_use]
-    pub fn samples(&self) -> &[Samples; 2] {
+    pub fn samples(&self) -> &[Samples] {
         &self.samples
+    }
+
+    /// Numbers of the curves whose adaptive samples would have to be more than the format allows.
+    #[must_use]
+    pub fn coarse(&self) -> &[usize] {
+        &self.coarse
+    }
+
+    /// The two curves and their samples, once both are there.
+    #[must_use]
+    pub fn pair(&self) -> Option<(&[ClosedBSpline; 2], &[Samples; 2])> {
+        self.curves.first_chunk().zip(self.samples.first_chunk())
     }
 
     /// Materials of the document.
@@ -93,10 +106,13 @@ impl Model {
         }
     }
 
-    /// Distance between the planes of the curves.
+    /// Distance between the planes of the curves; 0 until there are two.
     #[must_use]
     pub fn gap(&self) -> f64 {
-        (self.document.curves[0].height - self.document.curves[1].height).abs()
+        match self.document.curves.as_slice() {
+            [first, second] => (first.height - second.height).abs(),
+            _ => 0.0,
+        }
     }
 
     /// Composition at the parameter `u` of a counter-clockwise curve; parameters outside its domain wrap round.
@@ -108,10 +124,14 @@ impl Model {
         self.profiles[curve].at(if drawn < 1.0 { drawn } else { 0.0 })
     }
 
-    /// Smallest box that holds both curves and their control points.
+    /// Smallest box that holds the curves and their control points; 100 units about the origin where there are none.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        self.curves[0].bounds().union(self.curves[1].bounds())
+        self.curves
+            .iter()
+            .map(ClosedBSpline::bounds)
+            .reduce(Bounds::union)
+            .unwrap_or(Bounds { min: DVec2::splat(-BLANK / 2.0), max: DVec2::splat(BLANK / 2.0) })
     }
 
     /// Finds a place where a curve meets itself, or where the two meet at equal heights, on the curves themselves.
@@ -131,7 +151,8 @@ impl Model {
         if self.gap() > 0.0 {
             return None;
         }
-        let meeting = self.curves[0].contact(&self.curves[1])?;
+        let ([first, second], _) = self.pair()?;
+        let meeting = first.contact(second)?;
         let message =
             format!("the two curves meet near {}; expected curves that keep apart", ShownPlace(meeting.at));
         Some(DocumentError::new(Code::Contact, "curves[1].points", message).with_place(meeting.at))
@@ -163,6 +184,17 @@ fn profile(document: &CurvesDocument, curve: usize) -> Result<Profile, DocumentE
     });
     let keys = compositions.collect::<Result<Vec<_>, _>>()?;
     Profile::new(keys).map_err(|e| DocumentError::new(Code::Range, path(""), e.to_string()))
+}
+
+/// Samples a curve as the document says; tells whether the samples are as fine as they should be.
+fn samples_of(curve: &ClosedBSpline, k: usize, document: &CurvesDocument) -> (Samples, bool) {
+    let sampling = &document.sampling;
+    let scheme = match sampling.scheme {
+        SamplingScheme::Parameter => Scheme::Parameter,
+        SamplingScheme::ArcLength => Scheme::ArcLength,
+        SamplingScheme::Adaptive => return sample_adaptively(curve, sampling.fineness(&document.curves)),
+    };
+    (sample(curve, scheme, sampling.counts[k]), true)
 }
 
 /// Builds a curve as drawn.

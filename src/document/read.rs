@@ -103,6 +103,24 @@ mod tests {
     }
 
     #[test]
+    fn adaptive_samples_have_the_stated_defaults() {
+        let mut document = minimal();
+        document["sampling"] = json!({"scheme": "adaptive"});
+        let sampling = read_text(&document.to_string()).expect("valid").sampling;
+        // The control points of the larger square lie in a box of 6 by 6.
+        let tolerance = sampling.tolerance.expect("spelt out");
+        assert!((tolerance - 6e-3 * 2.0_f64.sqrt()).abs() < 1e-15);
+        assert_eq!((sampling.max_turn, sampling.min_count), (Some(15.0), Some(12)));
+        document["sampling"] = json!({"maxTurn": 20});
+        let sampling = read_text(&document.to_string()).expect("valid").sampling;
+        assert_eq!((sampling.max_turn, sampling.tolerance), (Some(20.0), None), "kept for later, not used");
+        document["sampling"] = json!({"scheme": "adaptive"});
+        document["curves"] = json!([]);
+        let sampling = read_text(&document.to_string()).expect("valid").sampling;
+        assert_eq!(sampling.tolerance, Some(0.1), "of a blank plane 100 units across");
+    }
+
+    #[test]
     fn what_is_written_reads_back_as_the_same_document() {
         let document = read_text(&minimal().to_string()).expect("valid");
         let text = write_text(&document).expect("finite");
@@ -184,7 +202,6 @@ mod tests {
             ("lines", json!(44)),
             ("shift", json!("best")),
             ("shift", json!(4)),
-            ("oneToOne", json!(true)),
             ("policy", json!("repair")),
         ] {
             let path = format!("matching.{field}");
@@ -192,8 +209,6 @@ mod tests {
         }
         expect_at(Code::NotYet, "matching.pins[0]", "/matching/pins", json!([{"u": 0.1, "v": 0.2}]));
         expect_at(Code::NotYet, "matching.printed[0]", "/matching/printed", json!(["normals"]));
-        expect_at(Code::NotYet, "sampling.scheme", "/sampling/scheme", json!("adaptive"));
-        expect_at(Code::NotYet, "sampling.maxTurn", "/sampling/maxTurn", json!(10));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("cubic"));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("harmonic"));
         expect_at(Code::NotYet, "curves[0].form", "/curves/0/form", json!("open"));
@@ -203,15 +218,22 @@ mod tests {
 
     #[test]
     fn values_out_of_range_are_refused_by_path() {
-        expect_at(Code::Range, "curves", "/curves", json!([]));
         expect_at(Code::Range, "curves[1].height", "/curves/1/height", json!(1e300));
         expect_at(Code::Range, "sampling.counts", "/sampling/counts", json!([4]));
         expect_at(Code::Range, "sampling.counts[1]", "/sampling/counts", json!([4, 2]));
         expect_at(Code::Limit, "sampling.counts[0]", "/sampling/counts", json!([1001, 4]));
         expect_at(Code::Type, "sampling.counts[0]", "/sampling/counts", json!([-1, 4]));
         expect_at(Code::Type, "sampling.counts[1]", "/sampling/counts", json!([4, 5.5]));
+        expect_at(Code::Range, "sampling.tolerance", "/sampling/tolerance", json!(0));
+        expect_at(Code::Range, "sampling.tolerance", "/sampling/tolerance", json!(1e13));
+        expect_at(Code::Range, "sampling.maxTurn", "/sampling/maxTurn", json!(0.9));
+        expect_at(Code::Range, "sampling.maxTurn", "/sampling/maxTurn", json!(91));
+        expect_at(Code::Range, "sampling.minCount", "/sampling/minCount", json!(2));
+        expect_at(Code::Limit, "sampling.minCount", "/sampling/minCount", json!(1001));
+        expect_at(Code::Type, "sampling.minCount", "/sampling/minCount", json!(12.5));
         expect_at(Code::Range, "matching.normalWeight", "/matching/normalWeight", json!(-1));
         expect_at(Code::Range, "matching.distanceWeight", "/matching/distanceWeight", json!(101));
+        expect_at(Code::Type, "matching.oneToOne", "/matching/oneToOne", json!(1));
         expect_at(Code::Range, "blend.stages", "/blend/stages", json!(0));
         expect_at(Code::Limit, "blend.stages", "/blend/stages", json!(201));
         expect_at(Code::Range, "materials", "/materials", json!([]));

@@ -2,9 +2,19 @@
 //!
 //! Only what this release computes has a place here; values of the format that come later are refused while reading.
 
+use crate::curve::Fineness;
+use crate::geom::Bounds;
+use glam::DVec2;
 use serde::Serialize;
 
-/// A curves document: two closed curves, their materials, and how to match and blend them.
+/// Greatest absolute coordinate, height and length of a document.
+pub(super) const LARGEST: f64 = 1e12;
+/// Length across what a document without curves shows.
+pub(super) const BLANK: f64 = 100.0;
+/// Smallest tolerance of a document.
+pub(super) const SMALLEST: f64 = 1e-12;
+
+/// A curves document: two closed curves, or fewer while they are being drawn, their materials, and how to match and blend them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CurvesDocument {
@@ -18,7 +28,7 @@ pub struct CurvesDocument {
     pub unit: String,
     /// Materials; a composition has one fraction for each.
     pub materials: Vec<MaterialSpec>,
-    /// The two directrices.
+    /// The directrices, two in a finished document.
     pub curves: Vec<CurveSpec>,
     /// How the curves are sampled.
     pub sampling: Sampling,
@@ -94,13 +104,22 @@ pub struct CompositionKey {
 }
 
 /// How the curves are sampled.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Sampling {
     /// Where the samples lie.
     pub scheme: SamplingScheme,
-    /// Number of samples of each curve, 3 to 1000.
+    /// Number of samples of each curve, 3 to 1000; adaptive samples ignore it.
     pub counts: [usize; 2],
+    /// Greatest distance of a curve from the chords between adaptive samples.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
+    /// Greatest turn of the tangent from one adaptive sample to the next, 1 to 90 degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_turn: Option<f64>,
+    /// Fewest adaptive samples of each curve, 3 to 1000.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min_count: Option<usize>,
 }
 
 /// Where samples lie.
@@ -111,6 +130,8 @@ pub enum SamplingScheme {
     Parameter,
     /// Even in arc length.
     ArcLength,
+    /// As many as the shape needs.
+    Adaptive,
 }
 
 /// How the samples are matched.
@@ -127,7 +148,7 @@ pub struct MatchingSpec {
     pub alignment_weight: f64,
     /// How negative products count.
     pub negative: NegativeMode,
-    /// Whether vertices are inserted until every line has its own ends: not in this release.
+    /// Whether vertices are inserted until every line has its own ends.
     pub one_to_one: bool,
     /// What to do where the constraints cannot hold.
     pub policy: Policy,
@@ -266,7 +287,29 @@ impl LayerName {
 
 impl Default for Sampling {
     fn default() -> Self {
-        Self { scheme: SamplingScheme::ArcLength, counts: [44, 44] }
+        Self {
+            scheme: SamplingScheme::ArcLength,
+            counts: [44, 44],
+            tolerance: None,
+            max_turn: None,
+            min_count: None,
+        }
+    }
+}
+
+impl Sampling {
+    /// How fine adaptive samples of these curves are: what is left out has the defaults of `docs/format.md`.
+    #[must_use]
+    pub fn fineness(&self, curves: &[CurveSpec]) -> Fineness {
+        let size = || {
+            let points = curves.iter().flat_map(|curve| curve.points.iter().copied().map(DVec2::from));
+            Bounds::of(points).map_or(BLANK, Bounds::diagonal)
+        };
+        Fineness {
+            tolerance: self.tolerance.unwrap_or_else(|| (1e-3 * size()).clamp(SMALLEST, LARGEST)),
+            max_turn: self.max_turn.unwrap_or(15.0),
+            min_count: self.min_count.unwrap_or(12),
+        }
     }
 }
 

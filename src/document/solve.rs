@@ -1,7 +1,10 @@
 //! From a document to its matching, in steps.
 
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
-use crate::matching::{Greedy, Matching, Outline, Problem, ProblemError, Weights};
+use crate::curve::ClosedBSpline;
+use crate::matching::{
+    Greedy, Insertion, Matching, OneToOne, Outline, Problem, ProblemError, RulingLine, Totals, Weights,
+};
 use crate::morph::Band;
 
 /// A solved document.
@@ -20,7 +23,7 @@ pub struct Solution {
 pub enum Outcome {
     /// The curves meet themselves or each other: they can be drawn but not matched.
     Refused(DocumentError),
-    /// The curves cannot be matched as they lie; the diagnostics say why.
+    /// The curves cannot be matched as they lie, or are not both there; the diagnostics say why.
     Unmatched,
     /// Lines were found.
     Matched {
@@ -28,6 +31,8 @@ pub enum Outcome {
         problem: Box<Problem>,
         /// The lines; they may leave vertices bare.
         matching: Matching,
+        /// Lines with ends of their own, where the document asks for them and the matching is complete.
+        pairs: Option<Box<OneToOne>>,
         /// The band between the curves; only where every vertex has a line and no constraint is broken.
         band: Option<Band>,
     },
@@ -49,11 +54,26 @@ impl Solution {
         }
     }
 
+    /// The lines to show, with the outlines they join and what they are worth: those with ends of their own where there are
+    /// some, else those between samples.
+    #[must_use]
+    pub fn lines(&self) -> Option<(&Problem, &[RulingLine], &Totals)> {
+        match &self.outcome {
+            Outcome::Matched { pairs: Some(pairs), .. } => {
+                Some((&pairs.problem, &pairs.lines, &pairs.totals))
+            }
+            Outcome::Matched { problem, matching, .. } => Some((problem, &matching.lines, &matching.totals)),
+            Outcome::Refused(_) | Outcome::Unmatched => None,
+        }
+    }
+
     /// Builds the band with `per_line` rulings from each line to the next.
     #[must_use]
     pub fn band_with(&self, per_line: usize) -> Option<Band> {
         match &self.outcome {
-            Outcome::Matched { matching, band: Some(_), .. } => Some(band(&self.model, matching, per_line)),
+            Outcome::Matched { matching, pairs, band: Some(_), .. } => {
+                band(&self.model, matching, pairs.as_deref(), per_line)
+            }
             Outcome::Matched { .. } | Outcome::Refused(_) | Outcome::Unmatched => None,
         }
     }
@@ -70,7 +90,11 @@ pub struct Solve {
 enum State {
     Ready(Box<(Outcome, Vec<Diagnostic>)>),
     Growing(Box<Greedy>),
+    Inserting(Box<(Problem, Matching, Insertion)>),
 }
+
+/// Share of the work that growing takes where insertion follows.
+const GROWING: f64 = 0.6;
 
 impl Solve {
     /// Builds the curves of a document and prepares their matching.
@@ -91,13 +115,21 @@ impl Solve {
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Solution> {
         if let State::Growing(job) = &mut self.state {
             let matching = job.step(may_go_on)?;
-            let problem = Box::new(job.problem().clone());
+            let problem = job.problem().clone();
             let model = self.model.as_ref()?;
-            let mut diagnostics = corners(model);
-            diagnostics.extend(remarks(model.weights(), &problem, &matching));
-            let band = matching.is_complete().then(|| band(model, &matching, rulings_per_line(&matching)));
-            let outcome = Outcome::Matched { problem, matching, band };
-            self.state = State::Ready(Box::new((outcome, diagnostics)));
+            let wanted = model.document().matching.one_to_one && matching.is_complete();
+            self.state = match model.pair().filter(|_| wanted) {
+                Some((curves, samples)) => {
+                    let job = Insertion::new(curves, samples, &problem, &matching);
+                    State::Inserting(Box::new((problem, matching, job)))
+                }
+                None => matched(model, problem, matching, None),
+            };
+        }
+        if let State::Inserting(work) = &mut self.state {
+            let pairs = work.2.step(may_go_on)?;
+            let model = self.model.as_ref()?;
+            self.state = matched(model, work.0.clone(), work.1.clone(), Some(Box::new(pairs)));
         }
         let State::Ready(ready) = &mut self.state else { return None };
         let model = self.model.take()?;
@@ -110,7 +142,11 @@ impl Solve {
     pub fn progress(&self) -> f64 {
         match &self.state {
             State::Ready(_) => 1.0,
-            State::Growing(job) => job.progress(),
+            State::Growing(job) => {
+                let inserts = self.model.as_ref().is_some_and(|m| m.document().matching.one_to_one);
+                job.progress() * if inserts { GROWING } else { 1.0 }
+            }
+            State::Inserting(work) => GROWING + (1.0 - GROWING) * work.2.progress(),
         }
     }
 
@@ -129,26 +165,42 @@ impl Solve {
 }
 
 fn prepare(model: &Model) -> State {
-    let outlines = model.samples().each_ref().map(Outline::from);
-    match Problem::new(outlines, model.weights(), model.gap()) {
-        Ok(problem) => State::Growing(Box::new(Greedy::new(problem))),
-        Err(error) => {
-            let mut diagnostics = corners(model);
-            diagnostics.push(why_unmatched(model, error));
-            State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
+    let reason = match model.pair() {
+        None => Diagnostic::Incomplete { curves: model.curves().len() },
+        Some((curves, samples)) => {
+            let outlines = samples.each_ref().map(Outline::from);
+            match Problem::new(outlines, model.weights(), model.gap()) {
+                Ok(problem) => return State::Growing(Box::new(Greedy::new(problem))),
+                Err(error) => why_unmatched(curves, model.gap(), error),
+            }
         }
-    }
+    };
+    let mut diagnostics = curve_remarks(model);
+    diagnostics.push(reason);
+    State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
+}
+
+/// Puts a matching together with its band and the remarks on it.
+fn matched(model: &Model, problem: Problem, matching: Matching, pairs: Option<Box<OneToOne>>) -> State {
+    let mut diagnostics = curve_remarks(model);
+    diagnostics.extend(remarks(model.weights(), &problem, &matching));
+    let failed = pairs.iter().flat_map(|pairs| &pairs.failed);
+    diagnostics.extend(failed.map(|gap| Diagnostic::UnverifiedGap { lines: gap.lines.clone(), at: gap.at }));
+    let count = pairs.as_ref().map_or(matching.lines.len(), |pairs| pairs.lines.len());
+    let band = || band(model, &matching, pairs.as_deref(), rulings_per_line(count));
+    let band = matching.is_complete().then(band).flatten();
+    let outcome = Outcome::Matched { problem: Box::new(problem), matching, pairs, band };
+    State::Ready(Box::new((outcome, diagnostics)))
 }
 
 /// Says why sampled polygons cannot be matched although the curves themselves are simple and, at equal heights, apart.
-fn why_unmatched(model: &Model, error: ProblemError) -> Diagnostic {
+fn why_unmatched(curves: &[ClosedBSpline; 2], gap: f64, error: ProblemError) -> Diagnostic {
     match error {
         ProblemError::Apart => Diagnostic::Disjoint,
         ProblemError::NotSimple { at, .. } => Diagnostic::CoarseSampling { at: Some(at) },
         ProblemError::NotCounterClockwise { .. } => Diagnostic::CoarseSampling { at: None },
         ProblemError::Meet { at } => {
-            let crossing =
-                (model.gap() > 0.0).then(|| model.curves()[0].contact(&model.curves()[1])).flatten();
+            let crossing = (gap > 0.0).then(|| curves[0].contact(&curves[1])).flatten();
             match crossing {
                 Some(meeting) => Diagnostic::Crossing { at: meeting.at },
                 None => Diagnostic::CoarseSampling { at: Some(at) },
@@ -157,8 +209,8 @@ fn why_unmatched(model: &Model, error: ProblemError) -> Diagnostic {
     }
 }
 
-fn corners(model: &Model) -> Vec<Diagnostic> {
-    let corners = |(curve, spline): (usize, &crate::curve::ClosedBSpline)| {
+fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
+    let corners = |(curve, spline): (usize, &ClosedBSpline)| {
         spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
             curve,
             parameter: corner.u,
@@ -166,7 +218,8 @@ fn corners(model: &Model) -> Vec<Diagnostic> {
             turn: corner.turn,
         })
     };
-    model.curves().iter().enumerate().flat_map(corners).collect()
+    let limits = model.coarse().iter().map(|&curve| Diagnostic::SampleLimit { curve });
+    model.curves().iter().enumerate().flat_map(corners).chain(limits).collect()
 }
 
 fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diagnostic> {
@@ -192,13 +245,20 @@ fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diag
 }
 
 /// Rulings of the band from one line to the next: enough for smooth curves and colours, some two hundred in all.
-fn rulings_per_line(matching: &Matching) -> usize {
+fn rulings_per_line(lines: usize) -> usize {
     const IN_ALL: usize = 176;
-    IN_ALL.div_ceil(matching.lines.len().max(1)).clamp(2, 32)
+    IN_ALL.div_ceil(lines.max(1)).clamp(2, 32)
 }
 
-fn band(model: &Model, matching: &Matching, per_line: usize) -> Band {
-    let parameters = model.samples().each_ref().map(|samples| samples.parameters.as_slice());
+fn band(model: &Model, matching: &Matching, pairs: Option<&OneToOne>, per_line: usize) -> Option<Band> {
+    let (curves, samples) = model.pair()?;
     let compose = |curve: usize, u: f64| model.composition(curve, u);
-    Band::new(model.curves(), parameters, &matching.lines, compose, per_line)
+    let (lo, hi) = curves[1].domain();
+    let place = |line: &RulingLine| {
+        let laps = line.lifted.div_euclid(samples[1].parameters.len() as i64);
+        (samples[0].parameters[line.from], samples[1].parameters[line.to] + laps as f64 * (hi - lo))
+    };
+    let places =
+        pairs.map_or_else(|| matching.lines.iter().map(place).collect(), |pairs| pairs.places.clone());
+    Some(Band::new(curves, &places, compose, per_line))
 }

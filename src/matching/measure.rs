@@ -1,6 +1,6 @@
 //! What a set of lines is worth, and whether it keeps the constraints.
 
-use super::{Problem, RulingLine};
+use super::{Outline, Problem, RulingLine};
 use crate::geom::segments_meet;
 
 /// Figures of a set of ruling lines.
@@ -101,18 +101,20 @@ fn integral(problem: &Problem, lines: &[RulingLine]) -> f64 {
 }
 
 fn crossings(problem: &Problem, lines: &[RulingLine]) -> usize {
-    let [first, second] = problem.outlines();
-    let ends = |line: &RulingLine| (first.points[line.from], second.points[line.to]);
-    let cross = |line: &RulingLine, other: &RulingLine| {
-        let ((p, q), (r, s)) = (ends(line), ends(other));
-        match (line.from == other.from, line.to == other.to) {
-            (true, true) => true,
-            // Lines from a common end overlap only when the end of one lies on the other.
-            (true, false) => segments_meet(p, q, s, s) || segments_meet(r, s, q, q),
-            (false, true) => segments_meet(p, q, r, r) || segments_meet(r, s, p, p),
-            (false, false) => segments_meet(p, q, r, s),
-        }
-    };
     let later = |k: usize| lines[k + 1..].iter();
-    (0..lines.len()).map(|k| later(k).filter(|other| cross(&lines[k], other)).count()).sum()
+    let crossed = |k: usize| later(k).filter(|other| cross(problem.outlines(), &lines[k], other)).count();
+    (0..lines.len()).map(crossed).sum()
+}
+
+/// Tells whether two lines have more than an end in common.
+pub(super) fn cross([first, second]: &[Outline; 2], line: &RulingLine, other: &RulingLine) -> bool {
+    let ends = |line: &RulingLine| (first.points[line.from], second.points[line.to]);
+    let ((p, q), (r, s)) = (ends(line), ends(other));
+    match (line.from == other.from, line.to == other.to) {
+        (true, true) => true,
+        // Lines from a common end overlap only when the end of one lies on the other.
+        (true, false) => segments_meet(p, q, s, s) || segments_meet(r, s, q, q),
+        (false, true) => segments_meet(p, q, r, r) || segments_meet(r, s, p, p),
+        (false, false) => segments_meet(p, q, r, s),
+    }
 }

@@ -6,12 +6,15 @@
 //! Line Construction) in which no line crosses another or leaves the band between the polygons, and
 //! removes the redundant ones; [`Totals`] says what the set is worth and re-checks both constraints by brute force.
 //!
+//! [`Insertion`] then gives every line its own ends, by new vertices on the curves, and verifies all lines anew.
+//!
 //! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum.
 
 mod chain;
 mod even;
 mod exact;
 mod greedy;
+mod insert;
 mod irredundant;
 mod lattice;
 mod mean;
@@ -21,6 +24,7 @@ mod path;
 mod pins;
 mod problem;
 mod prune;
+mod quadrature;
 mod refine;
 mod rounds;
 mod row;
@@ -35,6 +39,7 @@ mod visibility;
 
 pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, Policy, exact};
 pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
+pub use insert::{FailedGap, Insertion, OneToOne};
 pub use irredundant::irredundant;
 pub use mean::best_mean;
 pub use measure::{Bound, Totals, measure};

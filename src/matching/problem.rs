@@ -135,10 +135,16 @@ impl Problem {
             .filter(is_inside)
             .or_else(|| deepest_point(polygons))
             .ok_or_else(|| contact.unwrap_or(ProblemError::Apart))?;
-        let angles = [angles_about(center, first), angles_about(center, second)];
+        let angles = outlines.each_ref().map(|outline| angles_about(center, &outline.points));
         let bounds = Bounds::of(first.iter().chain(second).copied());
         let diagonal = bounds.map_or(0.0, Bounds::diagonal);
         Ok(Self { outlines, weights, gap, layout, shortest: SHORTEST * diagonal, center, angles })
+    }
+
+    /// The same problem on other polygons of the same curves, which are not checked.
+    pub(super) fn refined(&self, outlines: [Outline; 2]) -> Self {
+        let angles = outlines.each_ref().map(|outline| angles_about(self.center, &outline.points));
+        Self { outlines, angles, ..*self }
     }
 
     /// The two outlines.
@@ -162,7 +168,12 @@ impl Problem {
     /// Value f of the line from vertex `from` of the first outline to vertex `to` of the second.
     #[must_use]
     pub fn value(&self, from: usize, to: usize) -> f64 {
-        self.weights.value(self.end(0, from), self.end(1, to), self.gap, self.shortest)
+        self.value_between(self.end(0, from), self.end(1, to))
+    }
+
+    /// Value f of the line between any two points of the curves.
+    pub(super) fn value_between(&self, p: End, q: End) -> f64 {
+        self.weights.value(p, q, self.gap, self.shortest)
     }
 
     /// Tells whether a line keeps the constraints, by looking at every edge: it meets no edge but those at its ends, and where
@@ -177,13 +188,6 @@ impl Problem {
                     [locate(first, middle), locate(second, middle)],
                     [Location::Inside, Location::Outside] | [Location::Outside, Location::Inside]
                 ))
-    }
-
-    /// Value f of the line between any two places, each a point with its outward unit normal.
-    #[must_use]
-    pub fn value_between(&self, from: (DVec2, DVec2), to: (DVec2, DVec2)) -> f64 {
-        let end = |(point, normal)| End { point, normal };
-        self.weights.value(end(from), end(to), self.gap, self.shortest)
     }
 
     /// Product of the outward unit normals at the ends of a line, from -1 to 1.
@@ -218,7 +222,8 @@ impl Problem {
         to as i64 + self.counts().1 as i64 * laps as i64
     }
 
-    fn end(&self, outline: usize, vertex: usize) -> End {
+    /// A vertex as the end of a line.
+    pub(super) fn end(&self, outline: usize, vertex: usize) -> End {
         let outline = &self.outlines[outline];
         End { point: outline.points[vertex], normal: outline.normals[vertex] }
     }

@@ -1,7 +1,6 @@
 //! The ruled band between two matched curves.
 
 use crate::curve::ClosedBSpline;
-use crate::matching::RulingLine;
 use crate::material::Composition;
 use glam::DVec2;
 
@@ -48,27 +47,19 @@ pub struct Band {
 }
 
 impl Band {
-    /// Builds the band of lines in cyclic order, which cover every sample of both curves.
+    /// Builds the band of lines in cyclic order, given by the parameters (u, v) of their ends, which ascend beyond the ends of
+    /// the domains.
     ///
-    /// `parameters` are those of the samples, `compose(curve, u)` is the composition along curve 0 or 1, for `u` beyond the
-    /// domain as well, and `per_line` is the number of rulings from one line to the next, at least 1.
+    /// `compose(curve, u)` is the composition along curve 0 or 1, for `u` beyond the domain as well, and `per_line` is the
+    /// number of rulings from one line to the next, at least 1.
     #[must_use]
     pub fn new(
         curves: &[ClosedBSpline; 2],
-        parameters: [&[f64]; 2],
-        lines: &[RulingLine],
+        places: &[(f64, f64)],
         compose: impl Fn(usize, f64) -> Composition,
         per_line: usize,
     ) -> Self {
         let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
-        let b = parameters[1].len() as i64;
-        let places: Vec<(f64, f64)> = lines
-            .iter()
-            .map(|line| {
-                let laps = line.lifted.div_euclid(b) as f64;
-                (parameters[0][line.from], parameters[1][line.to] + laps * periods[1])
-            })
-            .collect();
         let (u, v) = places.first().copied().unwrap_or_default();
         let end = (u + periods[0], v + periods[1]);
         let next = places.iter().copied().skip(1).chain([end]);
@@ -137,13 +128,10 @@ mod tests {
         let square = |r: f64| vec![dvec2(r, r), dvec2(-r, r), dvec2(-r, -r), dvec2(r, -r)];
         let curve = |r: f64| ClosedBSpline::new(2, Form::Periodic, square(r), None).expect("a valid curve");
         let curves = [curve(1.0), curve(2.0)];
-        let quarters = [0.0, 0.25, 0.5, 0.75];
-        // The matching starts one vertex behind on the second curve.
-        let lines: Vec<RulingLine> = (0..4)
-            .map(|k| RulingLine { from: k, to: (k + 3) % 4, lifted: k as i64 - 1, value: 1.0 })
-            .collect();
+        // The matching starts a quarter behind on the second curve.
+        let places = [(0.0, -0.25), (0.25, 0.0), (0.5, 0.25), (0.75, 0.5)];
         let pure = |curve: usize, _: f64| Composition::pure(curve, 2);
-        Band::new(&curves, [&quarters, &quarters], &lines, pure, per_line)
+        Band::new(&curves, &places, pure, per_line)
     }
 
     #[test]

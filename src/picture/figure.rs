@@ -1,8 +1,9 @@
 //! The picture of a solved document.
 
 use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
-use crate::matching::Matching;
+use crate::matching::{Problem, RulingLine};
 use crate::material::{Oklab, mix_colors};
 use crate::morph::{Band, unit_cells};
 use glam::DVec2;
@@ -53,8 +54,8 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         drawing.material(band);
         drawing.in_betweens(band);
     }
-    if let Outcome::Matched { matching, .. } = &solution.outcome {
-        drawing.lines(matching);
+    if let Some((problem, lines, _)) = solution.lines() {
+        drawing.lines(problem, lines);
     }
     if let (Some(band), Some(s)) = (solution.band(), options.s) {
         drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
@@ -66,15 +67,12 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     drawing.list
 }
 
-/// The two curves as closed polylines within a chord error in document units.
+/// The curves as closed polylines within a chord error in document units.
 fn outlines(solution: &Solution, tolerance: f64) -> Path {
     let finest = solution.model.bounds().diagonal() * 1e-6;
-    let rings = solution
-        .model
-        .curves()
-        .each_ref()
-        .map(|curve| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, point)| point).collect());
-    Path { rings: rings.into(), closed: true }
+    let ring =
+        |curve: &ClosedBSpline| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, p)| p).collect();
+    Path { rings: solution.model.curves().iter().map(ring).collect(), closed: true }
 }
 
 struct Drawing<'a> {
@@ -96,7 +94,9 @@ impl Drawing<'_> {
     }
 
     fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
-        self.list.push(layer, Item::Stroke { path, style });
+        if !path.rings.is_empty() {
+            self.list.push(layer, Item::Stroke { path, style });
+        }
     }
 
     /// The style of a line inside the band: on the bare canvas it takes the colour of the curves, which shows there.
@@ -140,15 +140,15 @@ impl Drawing<'_> {
         }
     }
 
-    fn lines(&mut self, matching: &Matching) {
-        let [first, second] = self.solution.model.samples();
+    fn lines(&mut self, problem: &Problem, lines: &[RulingLine]) {
+        let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
-            matching.lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
+            lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
         if self.shows(LayerName::Value) {
-            let values = matching.lines.iter().map(|line| line.value);
+            let values = lines.iter().map(|line| line.value);
             let (low, high) =
                 values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f), h.max(f)));
-            for (line, segment) in matching.lines.iter().zip(&segments) {
+            for (line, segment) in lines.iter().zip(&segments) {
                 let share = if high > low { (line.value - low) / (high - low) } else { 1.0 };
                 let style = StrokeStyle::solid(2.0, viridis(share), 1.0);
                 self.stroke("value", Path::open(segment.clone()), style);
@@ -174,7 +174,7 @@ impl Drawing<'_> {
             let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
             self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
         }
-        if self.shows(LayerName::Samples) && !self.is_small {
+        if self.shows(LayerName::Samples) && !self.is_small && !samples.is_empty() {
             let dots = Item::Dots {
                 centers: samples.iter().flat_map(|samples| &samples.points).copied().collect(),
                 radius_px: self.theme.sample_radius,

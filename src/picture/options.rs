@@ -72,7 +72,7 @@ impl PictureOptions {
         }
     }
 
-    /// The view that shows both curves with their control points.
+    /// The view that shows the curves with their control points.
     #[must_use]
     pub fn fit(&self, model: &Model) -> Viewport {
         Viewport::fit(model.bounds(), self.width, self.height, self.pixel_ratio, Margins::all(FIT_MARGIN))

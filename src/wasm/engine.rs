@@ -171,9 +171,8 @@ fn refused_picture(message: &str) -> JsValue {
 
 /// The result of a figure in one sentence.
 fn describe(solution: &Solution) -> String {
-    match &solution.outcome {
-        document::Outcome::Matched { matching, .. } => {
-            let totals = &matching.totals;
+    match solution.lines() {
+        Some((_, _, totals)) => {
             let eta =
                 totals.eta.map_or_else(String::new, |eta| format!(", eta {}", (eta * 1e3).round() / 1e3));
             format!(
@@ -181,9 +180,12 @@ fn describe(solution: &Solution) -> String {
                 totals.count, totals.crossings, totals.blocked
             )
         }
-        document::Outcome::Unmatched | document::Outcome::Refused(_) => {
-            "Two curves that are not matched".to_owned()
+        None => match solution.model.curves().len() {
+            0 => "No curves yet",
+            1 => "One curve",
+            _ => "Two curves that are not matched",
         }
+        .to_owned(),
     }
 }
 

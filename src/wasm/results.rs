@@ -1,7 +1,7 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
 use crate::document::{Diagnostic, DocumentError, Outcome, Solution};
-use crate::matching::{Matching, Problem, RulingLine};
+use crate::matching::{Matching, OneToOne, Problem, RulingLine, Totals};
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
 use glam::DVec2;
@@ -11,10 +11,10 @@ use serde::Serialize;
 pub(super) struct MatchResult {
     ok: bool,
     diagnostics: Vec<DiagnosticResult>,
-    reversed: [bool; 2],
+    reversed: Vec<bool>,
     samples: Vec<SamplesResult>,
     lines: Vec<LineResult>,
-    pairs: [(); 0],
+    pairs: Vec<PairResult>,
     reparameterisation: Vec<[f64; 2]>,
     totals: TotalsResult,
 }
@@ -32,6 +32,16 @@ struct LineResult {
     to: usize,
     value: f64,
     visible: bool,
+}
+
+#[derive(Serialize)]
+struct PairResult {
+    u: f64,
+    v: f64,
+    value: f64,
+    verified: bool,
+    from: [f64; 2],
+    to: [f64; 2],
 }
 
 #[derive(Serialize)]
@@ -115,28 +125,32 @@ impl MatchResult {
         let matched = match &solution.outcome {
             Outcome::Refused(error) => return Err(error.clone()),
             Outcome::Unmatched => None,
-            Outcome::Matched { problem, matching, .. } => Some((problem, matching)),
+            Outcome::Matched { problem, matching, pairs, .. } => Some((problem, matching, pairs.as_deref())),
         };
+        let pairs = matched.and_then(|(_, _, pairs)| pairs);
         let model = &solution.model;
         Ok(Self {
             ok: solution.is_complete(),
             diagnostics: solution.diagnostics.iter().map(DiagnosticResult::from).collect(),
-            reversed: model.reversed(),
+            reversed: model.reversed().to_vec(),
             samples: model
                 .samples()
                 .iter()
                 .map(|samples| SamplesResult {
                     parameters: samples.parameters.clone(),
-                    points: pairs(&samples.points),
-                    normals: pairs(&samples.normals),
+                    points: arrays(&samples.points),
+                    normals: arrays(&samples.normals),
                 })
                 .collect(),
-            lines: matched.map_or_else(Vec::new, |(problem, matching)| lines(problem, matching)),
-            pairs: [],
+            lines: matched.map_or_else(Vec::new, |(problem, matching, _)| lines(problem, matching)),
+            pairs: pairs.map_or_else(Vec::new, pair_results),
             reparameterisation: solution
                 .band()
                 .map_or_else(Vec::new, |band| band.lines().map(|ruling| [ruling.u, ruling.v]).collect()),
-            totals: TotalsResult { lines: matched.map(|(_, matching)| line_totals(matching)), pairs: None },
+            totals: TotalsResult {
+                lines: matched.map(|(_, matching, _)| line_totals(&matching.totals)),
+                pairs: pairs.map(|pairs| line_totals(&pairs.totals)),
+            },
         })
     }
 }
@@ -150,8 +164,23 @@ fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
         .collect()
 }
 
-fn line_totals(matching: &Matching) -> LineTotals {
-    let totals = matching.totals.clone();
+fn pair_results(pairs: &OneToOne) -> Vec<PairResult> {
+    let [first, second] = pairs.problem.outlines();
+    let pair = |k: usize| {
+        let (line, (u, v)) = (&pairs.lines[k], pairs.places[k]);
+        PairResult {
+            u,
+            v,
+            value: line.value,
+            verified: pairs.verified[k],
+            from: first.points[line.from].to_array(),
+            to: second.points[line.to].to_array(),
+        }
+    };
+    (0..pairs.lines.len()).map(pair).collect()
+}
+
+fn line_totals(totals: &Totals) -> LineTotals {
     LineTotals {
         count: totals.count,
         sum: totals.sum,
@@ -160,7 +189,7 @@ fn line_totals(matching: &Matching) -> LineTotals {
         eta: totals.eta,
         crossings: totals.crossings,
         blocked: totals.blocked,
-        uncovered: totals.uncovered,
+        uncovered: totals.uncovered.clone(),
     }
 }
 
@@ -188,7 +217,12 @@ impl From<&Diagnostic> for DiagnosticResult {
                 result.curve = Some(*curve);
                 result.vertices = Some(vertices.clone());
             }
-            Diagnostic::Disjoint => {}
+            Diagnostic::Incomplete { .. } | Diagnostic::Disjoint => {}
+            Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
+            Diagnostic::UnverifiedGap { lines, at } => {
+                result.lines = Some(lines.clone());
+                result.at = Some(at.to_array());
+            }
             Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
             Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
         }
@@ -207,7 +241,7 @@ pub(super) fn stages(band: &Band, stages: usize) -> Vec<StageResult> {
     (0..=stages)
         .map(|j| {
             let s = j as f64 / stages as f64;
-            StageResult { s, points: pairs(&band.in_between(s)) }
+            StageResult { s, points: arrays(&band.in_between(s)) }
         })
         .collect()
 }
@@ -225,9 +259,9 @@ pub(super) fn cells(band: &Band, stages: usize) -> Vec<CellResult> {
 
 /// What the band holds at a point, and the nearest ruling line; `None` outside the band or without one.
 pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
-    let Outcome::Matched { problem, matching, band: Some(band) } = &solution.outcome else { return None };
+    let (band, (problem, lines, _)) = (solution.band()?, solution.lines()?);
     let Place { line, s, u, v, composition } = band.locate(at)?;
-    let ruling = matching.lines.get(line)?;
+    let ruling = lines.get(line)?;
     let [first, second] = problem.outlines();
     Some(ProbeResult {
         line,
@@ -244,6 +278,6 @@ pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
     })
 }
 
-fn pairs(points: &[DVec2]) -> Vec<[f64; 2]> {
+fn arrays(points: &[DVec2]) -> Vec<[f64; 2]> {
     points.iter().map(|point| point.to_array()).collect()
 }

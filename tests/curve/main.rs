@@ -1,5 +1,6 @@
 //! Closed B-spline curves, from the outside: values, lengths, nearest points, meetings, refusals, random curves.
 
+mod adaptive;
 mod lengths;
 mod meetings;
 mod nearest;

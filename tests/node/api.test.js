@@ -82,6 +82,25 @@ test("pictures have the size asked for and show the view they say", () => {
   assert.ok(svg.length < 400_000, `${svg.length} bytes`);
 });
 
+test("a drawing in progress shows what is there and says what is missing", () => {
+  for (const curves of [[], amoeba.curves.slice(0, 1)]) {
+    const document = { ...amoeba, curves };
+    const match = dx.match(document);
+    assert.equal(match.ok, false);
+    assert.deepEqual(match.diagnostics.map(({ code }) => code), ["incomplete"]);
+    assert.ok(match.diagnostics[0].message.startsWith(`${curves.length} of 2 curves`));
+    assert.deepEqual([match.totals, match.lines], [{ lines: null, pairs: null }, []]);
+    assert.deepEqual([match.samples.length, match.reversed.length], [curves.length, curves.length]);
+    assert.deepEqual([dx.stages(document), dx.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
+    assert.equal(dx.paint(document, { width: 60, height: 40 }).data.length, 60 * 40 * 4);
+    assert.match(dx.svg(document, { width: 60, height: 40 }), /^<svg/);
+    assert.equal(dx.defaults(document).curves.length, curves.length);
+  }
+  const view = dx.fit({ ...amoeba, curves: [] }, { width: 400, height: 300 });
+  assert.deepEqual(view.center, [0, 0]);
+  assert.ok(view.scale > 2 && view.scale <= 3, "100 units fill the height but for a margin");
+});
+
 test("inserting a control point keeps the shape", () => {
   const finer = dx.insertPoint(amoeba, 1, 0.3);
   assert.equal(finer.curves[1].points.length, amoeba.curves[1].points.length + 1);

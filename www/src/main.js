@@ -6,7 +6,7 @@
  */
 import { connect } from "../../js/index.js";
 import { explain } from "./explain.js";
-import { splitView } from "./files.js";
+import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
@@ -145,7 +145,7 @@ function run(app) {
   ];
   listenToPointer(app, handles, probe);
   listenToKeys(app, handles);
-  listenToShortcuts(app, morph.toggle);
+  listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
   listenToDrop(app);
   followSystem(app);
   keep(app);

@@ -21,15 +21,28 @@ export const strings = {
     workbenches: "Workbenches",
     title: "Document title",
     edited: "Edited",
+    saved: "Saved",
     undo: "Undo",
     redo: "Redo",
     gallery: "Gallery",
-    open: "Open",
+    file: "File",
     export: "Export",
     menu: "Menu",
     panel: "Settings",
     toDark: "Use the dark theme",
     toLight: "Use the light theme",
+  },
+
+  file: {
+    open: "Open or import…",
+    save: "Save",
+    saveCopy: "Save a copy…",
+    openKind: "Documents and drawings",
+    saveKind: "Directrix document",
+    chosen: "the file",
+    saved: (/** @type {string} */ file) => `Saved ${file}`,
+    copied: (/** @type {string} */ file) => `Saved a copy as ${file}`,
+    notAllowed: "the page may not write to it",
   },
 
   exports: {
@@ -212,6 +225,8 @@ export const strings = {
       `Could not open ${file}: ${reason}. The open document is unchanged.`,
     notJson: "it is not JSON",
     export: (/** @type {string} */ reason) => `Could not export: ${reason}.`,
+    save: (/** @type {string} */ file, /** @type {string} */ reason) =>
+      `Could not save ${file}: ${reason}. Save a copy elsewhere.`,
   },
 
   field: {

@@ -1,14 +1,16 @@
 /**
- * The bar above: mark, workbench, title, undo, redo, gallery, open, export, theme; on a phone one menu for most of it.
+ * The bar above: mark, workbench, title, undo, redo, gallery, file, export, theme; on a phone one menu for most of it.
  *
  * @import { App } from "../state/app.js"
  * @import { Item } from "./menu.js"
  */
 import { textField } from "../controls/text-field.js";
 import { find, h, write } from "../dom.js";
-import { exportAs, openFile } from "../files.js";
+import { createChooser } from "../files/choose.js";
+import { exportAs } from "../files/export.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
+import { fileItems } from "./file-menu.js";
 import { galleryItems } from "./gallery.js";
 import { mark } from "./mark.js";
 import { attachMenu } from "./menu.js";
@@ -26,19 +28,8 @@ export function createBar(app) {
   const wordButton = (/** @type {string} */ name, /** @type {string} */ label) =>
     h("button", { type: "button", class: "bare word", "data-action": name }, label);
 
-  const file = h("input", {
-    type: "file",
-    accept: ".json,application/json",
-    hidden: true,
-    "data-file": "",
-    "aria-label": words.open,
-  });
-  file.addEventListener("change", () => {
-    const [chosen] = file.files ?? [];
-    if (chosen) void openFile(app, chosen);
-    file.value = "";
-  });
-
+  const chooser = createChooser(app);
+  const choose = () => void chooser.choose();
   const title = textField({ label: words.title, name: "title", bare: true }, (text) =>
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
@@ -47,7 +38,7 @@ export function createBar(app) {
   const redo = iconButton("redo", icon("redo"), words.redo);
   const theme = iconButton("theme", halfDisc(), words.toDark);
   const gallery = wordButton("gallery", words.gallery);
-  const open = wordButton("open", words.open);
+  const file = wordButton("file", words.file);
   const exporting = wordButton("export", words.export);
   const menu = iconButton("menu", icon("menu"), words.menu);
   const panel = iconButton("panel", icon("panel"), words.panel);
@@ -55,7 +46,6 @@ export function createBar(app) {
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
-  open.addEventListener("click", () => file.click());
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
 
@@ -67,13 +57,15 @@ export function createBar(app) {
       act: () => void exportAs(app, kind),
     }));
   attachMenu(gallery, () => galleryItems(app), { wide: true });
+  attachMenu(file, () => fileItems(app, choose));
   attachMenu(exporting, exportItems);
   attachMenu(
     menu,
     () => [
       ...galleryItems(app),
       "line",
-      { name: "open", text: words.open, act: () => file.click() },
+      ...fileItems(app, choose),
+      "line",
       ...exportItems(),
       "line",
       { name: "theme", text: themeLabel(app), act: () => toggleTheme(app) },
@@ -97,21 +89,22 @@ export function createBar(app) {
       redo,
       h("span", { class: "bar-line", "aria-hidden": "true" }),
       gallery,
-      open,
+      file,
       exporting,
       theme,
       panel,
     ),
-    file,
+    chooser.element,
   );
 
   return {
     panel,
+    choose,
     render() {
       const { store } = app;
       title.set(store.document.title || strings.untitled);
       title.input.size = Math.max(4, store.document.title.length);
-      write(state, store.edited ? words.edited : "");
+      write(state, store.edited ? words.edited : store.origin.file === null ? "" : words.saved);
       undo.disabled = !store.canUndo;
       redo.disabled = !store.canRedo;
       const label = themeLabel(app);

@@ -4,7 +4,8 @@
  * @import { App } from "../state/app.js"
  */
 import { find } from "../dom.js";
-import { openFile } from "../files.js";
+import { dropped } from "../files/file-system.js";
+import { openFile } from "../files/open.js";
 import { strings } from "../strings.js";
 
 /** @param {App} app */
@@ -24,7 +25,7 @@ export function listenToDrop(app) {
     if (!carriesFile(event)) return;
     event.preventDefault();
     target.hidden = true;
-    const [file] = event.dataTransfer?.files ?? [];
-    if (file) void openFile(app, file);
+    const found = event.dataTransfer && dropped(event.dataTransfer);
+    if (found) void found.handle.then((handle) => openFile(app, found.file, handle));
   });
 }

@@ -8,7 +8,7 @@
  * @typedef {{id: string, title: string, line: string}} Preset
  */
 import { h } from "../dom.js";
-import { openDocument } from "../files.js";
+import { openDocument } from "../files/open.js";
 import { completed, imageData } from "../kernel.js";
 import { devicePixels } from "../painter.js";
 

@@ -2,12 +2,14 @@
  * A menu below a button: arrows go through it, Escape closes it and gives the focus back.
  */
 import { attribute, find, h } from "../dom.js";
+import { keyName } from "./key-names.js";
 
 /**
  * @typedef {object} Item
  * @property {string} text
  * @property {string} [line] a second line
  * @property {Node} [lead] what stands before the text
+ * @property {string} [keys] that do the same, such as `Ctrl+Shift+S`
  * @property {string} name for the data attribute
  * @property {() => void} act
  */
@@ -64,6 +66,7 @@ export function attachMenu(button, items, { wide = false } = {}) {
         role: "menuitem",
         tabIndex: -1,
         "data-item": item.name,
+        "aria-keyshortcuts": item.keys?.replace("Ctrl", "Control"),
         onclick: () => {
           close();
           item.act();
@@ -76,6 +79,7 @@ export function attachMenu(button, items, { wide = false } = {}) {
         h("span", {}, item.text),
         item.line ? h("span", { class: "menu-line" }, item.line) : null,
       ),
+      item.keys ? h("span", { class: "menu-keys", "aria-hidden": "true" }, keyName(item.keys)) : null,
     );
   }
 

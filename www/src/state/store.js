@@ -13,7 +13,21 @@
  *   Edits that follow each other with the same name are one entry of the log: one drag, one sweep of a slider.
  *
  * @typedef {{run: string | null, before: CurvesDocument, after: CurvesDocument}} Entry
+ *
+ * @typedef {object} Origin Where the open document lives; one object for as long as it is open.
+ * @property {string | null} id the name under which the browser's storage keeps it; null until it is kept
+ * @property {string | null} file the name of the file it stands in
+ * @property {import("../files/file-system.js").FileHandle | null} handle that file, where the page may write to it
  */
+
+/**
+ * The origin of a document that stands nowhere yet.
+ * @param {Partial<Origin>} [known]
+ * @returns {Origin}
+ */
+export function originOf(known) {
+  return { id: null, file: null, handle: null, ...known };
+}
 
 export class Store {
   /** @type {CurvesDocument} */ #document;
@@ -21,6 +35,7 @@ export class Store {
   /** @type {Entry[]} */ #past = [];
   /** @type {Entry[]} */ #future = [];
   /** @type {string | null} */ #run = null;
+  /** @type {Origin} */ #origin = originOf();
   /** @type {Set<() => void>} */ #listeners = new Set();
 
   /** @param {CurvesDocument} document */
@@ -31,6 +46,15 @@ export class Store {
 
   get document() {
     return this.#document;
+  }
+
+  get origin() {
+    return this.#origin;
+  }
+
+  /** Whether a drag or another run of edits is under way. */
+  get running() {
+    return this.#run !== null;
   }
 
   get canUndo() {
@@ -101,18 +125,23 @@ export class Store {
    * Replaces everything: a preset or a file was opened.
    * @param {CurvesDocument} document
    * @param {boolean} [edited] whether it counts as edited from the start (a reload of edited work)
+   * @param {Origin} [origin] nowhere when it is not given
    */
-  open(document, edited = false) {
+  open(document, edited = false, origin = originOf()) {
     this.#past = [];
     this.#future = [];
     this.#run = null;
     this.#kept = edited ? { ...document } : document;
+    this.#origin = origin;
     this.#become(document);
   }
 
-  /** The document as it stands was written to a file. */
-  kept() {
-    this.#kept = this.#document;
+  /**
+   * A document was written to a file.
+   * @param {CurvesDocument} [document] the one that was, when the open one may have gone on since
+   */
+  kept(document = this.#document) {
+    this.#kept = document;
     this.#tell();
   }
 

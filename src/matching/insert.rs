@@ -1,0 +1,492 @@
+//! Vertex insertion: from stars of lines to pairs of points, one to one.
+
+use super::quadrature::Quadrature;
+use super::value::End;
+use super::{Matching, Outline, Problem, RulingLine, Totals, blocking_edge, measure::cross};
+use crate::curve::{ArcLength, ClosedBSpline, Samples};
+use crate::geom::segment_crossing;
+use glam::DVec2;
+
+/// A matching in which every line has its own ends, but for the gaps named in `failed`.
+#[derive(Debug, Clone)]
+pub struct OneToOne {
+    /// The outlines refined by the inserted vertices, and the values of lines between them.
+    pub problem: Problem,
+    /// Lines between vertices of the refined outlines, in cyclic order.
+    pub lines: Vec<RulingLine>,
+    /// Parameters (u, v) of the ends of each line: both ascend, beyond the ends of their domains; the first u lies in its domain.
+    pub places: Vec<(f64, f64)>,
+    /// Whether each line meets no edge of the refined outlines and crosses no other line.
+    pub verified: Vec<bool>,
+    /// Gaps between two lines of the star matching in which inserted lines failed; they keep the star lines.
+    pub failed: Vec<FailedGap>,
+    /// What the lines are worth. J and its bound are integrals over the curves, by the midpoints of eight parts from each line
+    /// to the next, so that inserted vertices count for nothing by themselves.
+    pub totals: Totals,
+}
+
+/// A gap that keeps its star lines.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FailedGap {
+    /// Indices of the lines from one side of the gap to the other.
+    pub lines: Vec<usize>,
+    /// Where an inserted line met an edge or another line.
+    pub at: DVec2,
+}
+
+/// One end of a line.
+#[derive(Debug, Clone, Copy)]
+struct Spot {
+    /// Vertex of the sampled outline; an inserted one has no number.
+    vertex: Option<usize>,
+    parameter: f64,
+    arc: f64,
+    end: End,
+}
+
+/// A line of the set, with the gap it belongs to or begins.
+#[derive(Debug, Clone, Copy)]
+struct Join {
+    ends: [Spot; 2],
+    gap: usize,
+}
+
+impl Join {
+    fn is_inserted(&self) -> bool {
+        self.ends.iter().any(|end| end.vertex.is_none())
+    }
+}
+
+/// From one line that insertion keeps to the next.
+#[derive(Debug)]
+struct Gap {
+    kept: Join,
+    inserted: Vec<Join>,
+    stars: Vec<Join>,
+    /// Where an inserted line failed.
+    failed: Option<DVec2>,
+}
+
+/// Vertex insertion (Eq. 13 and Fig. 6 of the paper) as a job that advances in steps.
+///
+/// The first pass keeps the best line of every vertex of the first curve; the vertices of the second that lie between the
+/// partners of two neighbours get partners of their own there, at parameters in the same proportion. The second pass keeps
+/// the best line of every vertex of the second curve and spreads the others in the same way. The number of lines
+/// stays, and the parameters of both ends ascend strictly.
+///
+/// The paper infers that inserted lines cannot intersect. They can, and they can meet a polygon; so every line is
+/// verified against the outlines refined by the inserted vertices and against every other line, edge by edge and pair by
+/// pair. A gap in which one fails keeps the lines it had, and all is verified again.
+#[derive(Debug)]
+pub struct Insertion {
+    curves: [ClosedBSpline; 2],
+    arc_lengths: [ArcLength; 2],
+    problem: Problem,
+    counts: [usize; 2],
+    gaps: Vec<Gap>,
+    /// The set as it is now, and the owner of each inserted vertex of the refined outlines.
+    joins: Vec<Join>,
+    lines: Vec<RulingLine>,
+    owners: [Vec<Option<usize>>; 2],
+    verified: Vec<bool>,
+    crossings: usize,
+    blocked: usize,
+    has_failed: bool,
+    quadrature: Option<Quadrature>,
+    progress: f64,
+}
+
+impl Insertion {
+    /// A job on a complete matching, that of `problem`, whose outlines are the `samples` of the `curves`.
+    #[must_use]
+    pub fn new(
+        curves: &[ClosedBSpline; 2],
+        samples: &[Samples; 2],
+        problem: &Problem,
+        matching: &Matching,
+    ) -> Self {
+        let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+        let (a, b) = problem.counts();
+        let passes = Passes { curves, arc_lengths: &arc_lengths, samples, problem, lines: &matching.lines };
+        let mut job = Self {
+            gaps: passes.gaps(),
+            curves: curves.clone(),
+            arc_lengths,
+            problem: problem.clone(),
+            counts: [a, b],
+            joins: Vec::new(),
+            lines: Vec::new(),
+            owners: [Vec::new(), Vec::new()],
+            verified: Vec::new(),
+            crossings: 0,
+            blocked: 0,
+            has_failed: false,
+            quadrature: None,
+            progress: 0.0,
+        };
+        job.refine();
+        job
+    }
+
+    /// Advances while `may_go_on` says so, at least by a little; returns the pairs when they are found.
+    pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<OneToOne> {
+        loop {
+            if let Some(pairs) = self.advance() {
+                return Some(pairs);
+            }
+            if !may_go_on() {
+                return None;
+            }
+        }
+    }
+
+    /// Share of the work that is done, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        self.progress
+    }
+
+    /// Verifies one line, or integrates over one gap.
+    fn advance(&mut self) -> Option<OneToOne> {
+        let count = self.lines.len();
+        if let Some(quadrature) = &mut self.quadrature {
+            let done = quadrature.advance(&self.problem, &self.curves, &self.arc_lengths);
+            self.progress = 0.3 + 0.7 * done;
+            return (done >= 1.0).then(|| self.finish());
+        }
+        if self.verified.len() < count {
+            self.verify(self.verified.len());
+            self.progress = self.progress.max(0.3 * self.verified.len() as f64 / count as f64);
+        } else if self.has_failed {
+            self.refine();
+        } else {
+            let arcs = [0, 1].map(|axis| self.joins.iter().map(|join| join.ends[axis].arc).collect());
+            self.quadrature = Some(Quadrature::new(&self.problem, &self.lines, arcs));
+        }
+        None
+    }
+
+    /// Puts the set together anew and begins to verify it.
+    fn refine(&mut self) {
+        let mut joins: Vec<Join> = Vec::new();
+        for gap in &self.gaps {
+            let others = if gap.failed.is_some() { &gap.stars } else { &gap.inserted };
+            joins.push(gap.kept);
+            joins.extend(others);
+        }
+        let domains = self.curves.each_ref().map(ClosedBSpline::domain);
+        let beyond = joins.iter().filter(|join| join.ends[0].parameter >= domains[0].1).count();
+        joins.rotate_right(beyond);
+        for join in &mut joins[..beyond] {
+            for (axis, end) in join.ends.iter_mut().enumerate() {
+                end.parameter -= domains[axis].1 - domains[axis].0;
+                end.arc -= self.arc_lengths[axis].total();
+            }
+        }
+        let [(first, from, first_owners), (second, to, second_owners)] = [0, 1].map(|axis| {
+            let (numbers, vertices) = vertices(&joins, axis);
+            (outline(&vertices, axis, self.arc_lengths[axis].total()), numbers, owners(&vertices, axis))
+        });
+        self.problem = self.problem.refined([first, second]);
+        let (a, b) = self.problem.counts();
+        let line = |(&from, &to): (&usize, &usize)| {
+            let (from, lifted) = (from % a, to as i64);
+            RulingLine { from, to: to % b, lifted, value: self.problem.value(from, to % b) }
+        };
+        self.lines = from.iter().zip(&to).map(line).collect();
+        self.owners = [first_owners, second_owners];
+        self.joins = joins;
+        self.verified.clear();
+        (self.crossings, self.blocked, self.has_failed) = (0, 0, false);
+    }
+
+    /// Checks one line against every edge and every later line.
+    fn verify(&mut self, k: usize) {
+        let line = self.lines[k];
+        let outlines = self.problem.outlines();
+        let segment = |line: &RulingLine| (outlines[0].points[line.from], outlines[1].points[line.to]);
+        let (p, q) = segment(&line);
+        let mut faults: Vec<(Option<usize>, DVec2)> = Vec::new();
+        let own = |k: usize| self.joins[k].is_inserted().then_some(self.joins[k].gap);
+        let block = blocking_edge(outlines, line.from, line.to);
+        if let Some(edge) = block {
+            let outline = &outlines[edge.outline];
+            let (a, b) = outline.edge(edge.vertex);
+            let at = segment_crossing(p, q, a, b);
+            let owners = &self.owners[edge.outline];
+            match own(k) {
+                Some(gap) => faults.push((Some(gap), at)),
+                // A line of the star matching kept clear of the outlines: an inserted vertex is in the way.
+                None => {
+                    faults.extend([edge.vertex, (edge.vertex + 1) % outline.len()].map(|i| (owners[i], at)))
+                }
+            }
+        }
+        let mut crossings = 0;
+        for (other, later) in self.lines.iter().enumerate().skip(k + 1) {
+            if cross(outlines, &line, later) {
+                let (r, s) = segment(later);
+                let at = segment_crossing(p, q, r, s);
+                faults.extend([(own(k), at), (own(other), at)]);
+                crossings += 1;
+            }
+        }
+        self.crossings += crossings;
+        self.blocked += usize::from(block.is_some());
+        self.verified.push(faults.is_empty());
+        for (gap, at) in faults {
+            if let Some(gap) = gap.map(|gap| &mut self.gaps[gap]).filter(|gap| gap.failed.is_none()) {
+                gap.failed = Some(at);
+                self.has_failed = true;
+            }
+        }
+    }
+
+    fn finish(&mut self) -> OneToOne {
+        let count = self.lines.len();
+        let sum: f64 = self.lines.iter().map(|line| line.value).sum();
+        let (integral, bound) = self.quadrature.as_ref().map_or((0.0, 0.0), Quadrature::result);
+        let mut uncovered = self.counts.map(|count| (0..count).collect::<Vec<usize>>());
+        for (axis, bare) in uncovered.iter_mut().enumerate() {
+            let mut covered = vec![false; bare.len()];
+            for vertex in self.joins.iter().filter_map(|join| join.ends[axis].vertex) {
+                covered[vertex] = true;
+            }
+            bare.retain(|&vertex| !covered[vertex]);
+        }
+        let totals = Totals {
+            count,
+            sum,
+            mean: (count > 0).then(|| sum / count as f64),
+            integral: Some(integral),
+            eta: (bound > 0.0).then(|| integral / bound),
+            crossings: self.crossings,
+            blocked: self.blocked,
+            uncovered,
+        };
+        let failed = self.gaps.iter().enumerate().filter_map(|(k, gap)| {
+            let of_gap = |i: &usize| self.joins[*i].gap == k;
+            let mut lines: Vec<usize> = (0..count).filter(of_gap).collect();
+            lines.extend((0..count).find(|i| {
+                let join = &self.joins[*i];
+                join.gap == (k + 1) % self.gaps.len() && of_gap(&((i + count - 1) % count))
+            }));
+            gap.failed.map(|at| FailedGap { lines, at })
+        });
+        OneToOne {
+            failed: failed.collect(),
+            problem: self.problem.clone(),
+            lines: std::mem::take(&mut self.lines),
+            places: self.joins.iter().map(|join| (join.ends[0].parameter, join.ends[1].parameter)).collect(),
+            verified: std::mem::take(&mut self.verified),
+            totals,
+        }
+    }
+}
+
+/// Numbers of the ends of the lines among the vertices of a refined outline, in ascending order, and a line at each vertex.
+fn vertices(joins: &[Join], axis: usize) -> (Vec<usize>, Vec<Join>) {
+    let (mut numbers, mut vertices) = (Vec::with_capacity(joins.len()), Vec::<Join>::new());
+    let vertex = |join: &Join| join.ends[axis].vertex;
+    for join in joins {
+        let repeats = vertex(join).is_some() && vertices.last().map(vertex) == Some(vertex(join));
+        if !repeats {
+            vertices.push(*join);
+        }
+        numbers.push(vertices.len() - 1);
+    }
+    let closes = vertices.len() > 1 && vertices.last().map(vertex) == vertices.first().map(vertex);
+    if closes && vertices.first().and_then(vertex).is_some() {
+        vertices.pop();
+    }
+    (numbers, vertices)
+}
+
+fn outline(vertices: &[Join], axis: usize, length: f64) -> Outline {
+    let spot = |k: usize| vertices[k % vertices.len()].ends[axis];
+    let all = 0..vertices.len();
+    let next = |k: usize| if k + 1 < vertices.len() { spot(k + 1).arc } else { spot(0).arc + length };
+    Outline {
+        points: all.clone().map(|k| spot(k).end.point).collect(),
+        normals: all.clone().map(|k| spot(k).end.normal).collect(),
+        shares: all.map(|k| (next(k) - spot(k).arc) / length).collect(),
+    }
+}
+
+fn owners(vertices: &[Join], axis: usize) -> Vec<Option<usize>> {
+    vertices.iter().map(|join| join.ends[axis].vertex.is_none().then_some(join.gap)).collect()
+}
+
+/// The two passes of insertion on a complete matching.
+struct Passes<'a> {
+    curves: &'a [ClosedBSpline; 2],
+    arc_lengths: &'a [ArcLength; 2],
+    samples: &'a [Samples; 2],
+    problem: &'a Problem,
+    lines: &'a [RulingLine],
+}
+
+/// A line after the first pass: its end on the second curve is a vertex, counted on through the laps.
+#[derive(Debug, Clone, Copy)]
+struct Spread {
+    u: f64,
+    /// The line of the star matching that it is, and how many laps on.
+    star: Option<(usize, i64)>,
+    lifted: i64,
+}
+
+impl Passes<'_> {
+    /// Number of the sample, and parameter, of a vertex counted on through the laps.
+    fn parameter(&self, axis: usize, lifted: i64) -> f64 {
+        let parameters = &self.samples[axis].parameters;
+        let (lo, hi) = self.curves[axis].domain();
+        let count = parameters.len() as i64;
+        parameters[lifted.rem_euclid(count) as usize] + lifted.div_euclid(count) as f64 * (hi - lo)
+    }
+
+    fn vertex(&self, axis: usize, lifted: i64) -> Spot {
+        let samples = &self.samples[axis];
+        let count = samples.arc.len() as i64;
+        let vertex = lifted.rem_euclid(count) as usize;
+        Spot {
+            vertex: Some(vertex),
+            parameter: self.parameter(axis, lifted),
+            arc: samples.arc[vertex] + lifted.div_euclid(count) as f64 * samples.length,
+            end: self.problem.end(axis, vertex),
+        }
+    }
+
+    fn inserted(&self, axis: usize, parameter: f64) -> Spot {
+        let curve = &self.curves[axis];
+        let end = End { point: curve.point(parameter), normal: curve.normal(parameter) };
+        Spot { vertex: None, parameter, arc: self.arc_lengths[axis].at(parameter), end }
+    }
+
+    /// Line `k` of the star matching, some laps on.
+    fn star(&self, k: usize, laps: i64, gap: usize) -> Join {
+        let (line, (a, b)) = (&self.lines[k], self.problem.counts());
+        let from = self.vertex(0, line.from as i64 + laps * a as i64);
+        Join { ends: [from, self.vertex(1, line.lifted + laps * b as i64)], gap }
+    }
+
+    /// Tells whether line `k` is better than line `other`; of equal ones neither is.
+    fn is_better(&self, k: usize, other: usize) -> bool {
+        let [(value, tie), (least, limit)] = [k, other].map(|k| {
+            let line = &self.lines[k];
+            self.problem.rank(line.from, line.to, line.value)
+        });
+        value > least || (value == least && tie < limit)
+    }
+
+    /// First pass: the best line of each vertex of the first curve, and new lines from points between.
+    fn first(&self) -> Vec<Spread> {
+        let (a, b) = self.problem.counts();
+        let mut best: Vec<usize> = Vec::with_capacity(a);
+        for (k, line) in self.lines.iter().enumerate() {
+            if line.from == best.len() {
+                best.push(k);
+            } else if self.is_better(k, best[line.from]) {
+                best[line.from] = k;
+            }
+        }
+        let mut spread = Vec::new();
+        for (i, &k) in best.iter().enumerate() {
+            let this = self.lines[k].lifted;
+            let next =
+                best.get(i + 1).map_or(self.lines[best[0]].lifted + b as i64, |&k| self.lines[k].lifted);
+            let [u, end] = [i, i + 1].map(|i| self.parameter(0, i as i64));
+            let [v, reach] = [this, next].map(|lifted| self.parameter(1, lifted));
+            spread.push(Spread { u, star: Some((k, 0)), lifted: this });
+            spread.extend((this + 1..next).map(|lifted| {
+                let share = (self.parameter(1, lifted) - v) / (reach - v);
+                Spread { u: u + share * (end - u), star: None, lifted }
+            }));
+        }
+        spread
+    }
+
+    /// Both passes: the lines that keep their ends, and between them what is inserted and what was there.
+    fn gaps(&self) -> Vec<Gap> {
+        let mut spread = self.first();
+        let count = spread.len();
+        let (b, period) = (self.problem.counts().1 as i64, {
+            let (lo, hi) = self.curves[0].domain();
+            hi - lo
+        });
+        // Begin where one group of lines with a common end on the second curve ends and the next begins.
+        let begins = |k: usize| k > 0 && spread[k].lifted != spread[k - 1].lifted;
+        let start = (0..count).find(|&k| begins(k)).unwrap_or(0);
+        spread.rotate_left(start);
+        for line in &mut spread[count - start..] {
+            line.u += period;
+            line.lifted += b;
+            line.star = line.star.map(|(k, laps)| (k, laps + 1));
+        }
+        // Second pass: the best of each group keeps its end.
+        let mut best: Vec<usize> = Vec::new();
+        for k in 0..count {
+            match best.last().copied() {
+                Some(last) if spread[last].lifted == spread[k].lifted => {
+                    if let (Some((this, _)), Some((other, _))) = (spread[k].star, spread[last].star)
+                        && self.is_better(this, other)
+                    {
+                        best.pop();
+                        best.push(k);
+                    }
+                }
+                _ => best.push(k),
+            }
+        }
+        let on = |k: usize| {
+            let line = spread[k % count];
+            let laps = (k / count) as i64;
+            Spread {
+                u: line.u + laps as f64 * period,
+                star: line.star.map(|(star, lap)| (star, lap + laps)),
+                lifted: line.lifted + laps * b,
+            }
+        };
+        let mut gaps: Vec<Gap> = Vec::new();
+        let mut kept: Vec<(usize, i64)> = Vec::new();
+        // Lines before the first that keeps both ends come after the last, a lap on.
+        let first = (0..best.len()).find(|&g| spread[best[g]].star.is_some()).unwrap_or(0);
+        for g in first..first + best.len() {
+            let [this, next] = [g, g + 1].map(|g| best[g % best.len()] + g / best.len() * count);
+            let (here, there) = (on(this), on(next));
+            let end = self.vertex(1, here.lifted);
+            let gap = match here.star {
+                Some((star, laps)) => {
+                    kept.push((star, laps));
+                    let gap = gaps.len();
+                    let kept = self.star(star, laps, gap);
+                    gaps.push(Gap { kept, inserted: Vec::new(), stars: Vec::new(), failed: None });
+                    gap
+                }
+                None => {
+                    let gap = gaps.len() - 1;
+                    gaps[gap].inserted.push(Join { ends: [self.inserted(0, here.u), end], gap });
+                    gap
+                }
+            };
+            let reach = self.parameter(1, there.lifted) - end.parameter;
+            for k in this + 1..next {
+                let line = on(k);
+                let v = end.parameter + reach * (line.u - here.u) / (there.u - here.u);
+                let from = match line.star {
+                    Some((star, laps)) => self.star(star, laps, gap).ends[0],
+                    None => self.inserted(0, line.u),
+                };
+                gaps[gap].inserted.push(Join { ends: [from, self.inserted(1, v)], gap });
+            }
+        }
+        let lines = self.lines.len() as i64;
+        for (g, gap) in gaps.iter_mut().enumerate() {
+            let place = |(star, laps): (usize, i64)| star as i64 + laps * lines;
+            let next = kept.get(g + 1).map_or_else(|| place(kept[0]) + lines, |&kept| place(kept));
+            let between = place(kept[g]) + 1..next;
+            gap.stars =
+                between.map(|at| self.star(at.rem_euclid(lines) as usize, at.div_euclid(lines), g)).collect();
+        }
+        gaps
+    }
+}

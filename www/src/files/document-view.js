@@ -1,0 +1,36 @@
+/**
+ * What a document says about its own view: the page keeps it apart, so that zooming is no edit, and puts it back into files.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { CurvesDocument } from "../types.js"
+ */
+import { FIRST_LAYERS, LAYERS } from "../state/app.js";
+
+/** Place of the current in-between where a document names none. */
+const FIRST_S = 0.4;
+
+/**
+ * The document without its view, and the view as the page keeps it.
+ * @param {CurvesDocument} document complete, with every default
+ */
+export function splitView(document) {
+  const { view, ...rest } = document;
+  const layers = view?.layers?.filter((name) => LAYERS.some((layer) => layer === name));
+  return {
+    document: /** @type {CurvesDocument} */ (rest),
+    ui: { layers: layers ?? [...FIRST_LAYERS], s: view?.s ?? FIRST_S },
+    place: view?.center && view.span ? { center: view.center, span: view.span } : null,
+  };
+}
+
+/**
+ * A document with the view it is seen in, as it goes into a file.
+ * @param {App} app
+ * @param {CurvesDocument} [document] the open one when it is not given
+ * @returns {CurvesDocument}
+ */
+export function documentWithView(app, document = app.store.document) {
+  const { view, layers, s, size } = app.ui.value;
+  const place = view ? { center: view.center, span: Math.min(size.width, size.height) / view.scale } : {};
+  return { ...document, view: { layers, s, ...place } };
+}

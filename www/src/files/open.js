@@ -1,0 +1,95 @@
+/**
+ * Opens documents: from a file, from text, or as an object. Whatever is wrong with them, the open one stays.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Origin } from "../state/store.js"
+ *
+ * @typedef {object} OpenOptions
+ * @property {Partial<Origin>} [origin] where the document lives; nowhere yet when it is not given
+ * @property {boolean} [edited] whether it differs from its file
+ */
+import { completed } from "../kernel.js";
+import { problem } from "../painter.js";
+import { originOf } from "../state/store.js";
+import { strings } from "../strings.js";
+import { splitView } from "./document-view.js";
+
+/**
+ * Opens a document that has not been checked.
+ * @param {App} app
+ * @param {unknown} raw
+ * @param {string} name for the message
+ * @param {OpenOptions} [options]
+ * @returns {Promise<boolean>} whether it was opened
+ */
+export async function openDocument(app, raw, name, { origin, edited = false } = {}) {
+  try {
+    const { document, ui, place } = splitView(await completed(app.kernel, raw));
+    app.store.open(document, edited, originOf(origin));
+    const { size } = app.ui.value;
+    app.ui.set({
+      ...ui,
+      selection: { curve: 1, point: 0 },
+      probe: null,
+      witness: null,
+      note: null,
+      playing: false,
+      fitted: place === null,
+      view: place ? { center: place.center, scale: Math.min(size.width, size.height) / place.span } : null,
+    });
+    return true;
+  } catch (error) {
+    const { path = "", message } = problem(error);
+    refuse(app, name, strings.errors.document(path, message));
+    return false;
+  }
+}
+
+/**
+ * Opens the text of a document.
+ * @param {App} app
+ * @param {string} name of the file it came from, or what stands for one
+ * @param {string} text
+ * @param {OpenOptions} [options]
+ * @returns {Promise<boolean>} whether it was opened
+ */
+export async function openText(app, name, text, options) {
+  let raw;
+  try {
+    raw = JSON.parse(text);
+  } catch (error) {
+    refuse(app, name, `${strings.errors.notJson} (${problem(error).message})`);
+    return false;
+  }
+  return openDocument(app, raw, name, options);
+}
+
+/**
+ * Opens a file of the person's machine.
+ * @param {App} app
+ * @param {File} file
+ * @param {import("./file-system.js").FileHandle | null} [handle] to save to
+ * @returns {Promise<boolean>} whether it was opened
+ */
+export async function openFile(app, file, handle = null) {
+  let text;
+  try {
+    text = await file.text();
+  } catch (error) {
+    refuse(app, file.name, problem(error).message);
+    return false;
+  }
+  return openText(app, file.name, text, { origin: { file: file.name, handle } });
+}
+
+/**
+ * Says why something was not opened.
+ * @param {App} app
+ * @param {string} name
+ * @param {string} reason
+ */
+export function refuse(app, name, reason) {
+  const text = strings.errors.open(name, reason.replace(/\.$/, ""));
+  app.ui.set({ note: { tone: "error", text } });
+  app.say(text);
+}

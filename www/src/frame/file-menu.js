@@ -1,0 +1,22 @@
+/**
+ * What the menu File holds; on a phone it is part of the one menu.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Item } from "./menu.js"
+ */
+import { save, saveCopy } from "../files/save.js";
+import { strings } from "../strings.js";
+
+/**
+ * @param {App} app
+ * @param {() => void} choose asks for a file to open
+ * @returns {(Item | "line")[]}
+ */
+export function fileItems(app, choose) {
+  const words = strings.file;
+  return [
+    { name: "open", text: words.open, keys: "Ctrl+O", act: choose },
+    { name: "save", text: words.save, keys: "Ctrl+S", act: () => void save(app) },
+    { name: "save-copy", text: words.saveCopy, keys: "Ctrl+Shift+S", act: () => void saveCopy(app) },
+  ];
+}

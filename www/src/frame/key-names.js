@@ -1,0 +1,17 @@
+/** Whether this is a machine of Apple's, whose keyboards name the keys by signs. */
+const apple = /Mac|iPhone|iPad/.test(navigator.platform);
+
+const SIGNS = /** @type {const} */ ([
+  ["Ctrl+", "⌘"],
+  ["Shift+", "⇧"],
+  ["Alt+", "⌥"],
+]);
+
+/**
+ * A combination of keys as the person's keyboard names it.
+ * @param {string} keys such as `Ctrl+Shift+S`
+ */
+export function keyName(keys) {
+  if (!apple) return keys;
+  return SIGNS.reduce((text, [name, sign]) => text.replace(name, sign), keys);
+}
