@@ -2,7 +2,7 @@
 
 /// Least share of its even step by which an end moves on from one line to the next: spreads fans a little, so that no two
 /// lines share an end.
-const LEAST_STEP: f64 = 1.0 / 32.0;
+const LEAST_STEP: f64 = 1.0 / 128.0;
 
 /// Places `count` lines at equal steps of mu, the mean of the shares of arc length on both curves, along a correspondence.
 ///
@@ -42,7 +42,7 @@ fn ascends(places: &[[f64; 2]]) -> bool {
 }
 
 /// Points of the piecewise straight correspondence at equal steps of mu from its first place on.
-fn at_even_means(places: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+pub(super) fn at_even_means(places: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
     let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
     let begin = mean(&places[0]);
     let mut k = 0;

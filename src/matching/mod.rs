@@ -11,6 +11,7 @@
 //! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum.
 
 mod chain;
+mod details;
 mod even;
 mod exact;
 mod greedy;
@@ -22,6 +23,7 @@ mod measure;
 mod outline;
 mod path;
 mod pins;
+mod place;
 mod problem;
 mod prune;
 mod quadrature;
@@ -37,6 +39,7 @@ mod trace;
 mod value;
 mod visibility;
 
+pub use details::{Details, details, integral_on_curves};
 pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, Policy, exact};
 pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Insertion, OneToOne};
@@ -44,11 +47,12 @@ pub use irredundant::irredundant;
 pub use mean::best_mean;
 pub use measure::{Bound, Totals, measure};
 pub use outline::Outline;
+pub use place::{Placing, places_of};
 pub use problem::{Layout, Problem, ProblemError};
 pub use prune::{prune, prune_as_printed};
-pub use refine::{Refine, Refined};
+pub use refine::{Refine, Refined, even_places};
 pub use shift::{best_shift, shifted};
-pub use single::{OnePerVertex, SingleLines, one_per_vertex};
+pub use single::{OnePerVertex, SingleLines, fill_in, one_per_vertex};
 pub use stretch::Stretch;
 pub use trace::{Rejection, Trace, VertexSets, trace, vertex_sets};
 pub use value::{NegativeProducts, Weights, round_to_40_bits};

@@ -2,6 +2,7 @@
 
 use super::lattice::Survey;
 use super::path::{PathFinder, Rule};
+use super::place::shares_of;
 use super::rounds::Rounds;
 use super::{Problem, RulingLine};
 
@@ -82,6 +83,40 @@ impl OnePerVertex {
     }
 }
 
+/// Gives every vertex a line: those that [`OnePerVertex`] left out are joined to the place that lies, in arc length, in the same proportion
+/// between the ends of the lines before and after. Returns the ends of all lines in shares of arc length, strictly ascending.
+///
+/// The paper says only that points without a line get one; nothing keeps these lines clear of the curves, so they must be verified.
+#[must_use]
+pub fn fill_in(problem: &Problem, lines: &[RulingLine]) -> Vec<[f64; 2]> {
+    let (a, b) = problem.counts();
+    let [first, second] = problem.outlines().each_ref().map(shares_of);
+    let share = |shares: &[f64], lifted: i64| {
+        let n = shares.len() as i64;
+        shares[lifted.rem_euclid(n) as usize] + lifted.div_euclid(n) as f64
+    };
+    let mut places = Vec::with_capacity(a + b);
+    for (k, line) in lines.iter().enumerate() {
+        let lap = i64::from(k + 1 == lines.len());
+        let next = &lines[(k + 1) % lines.len()];
+        let ends = (line.from as i64 + 1, next.from as i64 + lap * a as i64);
+        let lifted = (line.lifted + 1, next.lifted + lap * b as i64);
+        let (x, y) = (share(&first, ends.0 - 1), share(&second, lifted.0 - 1));
+        let (width, height) = (share(&first, ends.1) - x, share(&second, lifted.1) - y);
+        let on_first = (ends.0..ends.1).map(|i| (share(&first, i) - x) / width);
+        let on_second = (lifted.0..lifted.1).map(|j| (share(&second, j) - y) / height);
+        let mut between: Vec<f64> = on_first.chain(on_second).collect();
+        between.sort_by(f64::total_cmp);
+        between.dedup_by(|later, earlier| *later - *earlier < SAME_PROPORTION);
+        places.push([x, y]);
+        places.extend(between.iter().map(|t| [x + t * width, y + t * height]));
+    }
+    places
+}
+
+/// Proportions closer than this are one line.
+const SAME_PROPORTION: f64 = 1e-9;
+
 #[cfg(test)]
 mod tests {
     use super::super::rounds::best_by_brute_force;
@@ -152,6 +187,34 @@ mod tests {
             }
             let totals = measure(&problem, &lines, Bound::new(&problem, &best));
             assert_eq!((totals.crossings, totals.blocked), (0, 0), "case {case}");
+        }
+    }
+
+    #[test]
+    fn every_vertex_is_filled_in_and_places_ascend() {
+        let mut numbers = Numbers(29);
+        for case in 0..200 {
+            let problem = random_problem(&mut numbers, 3, 20);
+            let lines = one_per_vertex(&problem).lines;
+            let places = fill_in(&problem, &lines);
+            let (a, b) = problem.counts();
+            if lines.is_empty() {
+                assert!(places.is_empty());
+                continue;
+            }
+            assert!(places.len() <= a + b - lines.len(), "case {case}");
+            let lap = places[0].map(|share| share + 1.0);
+            let next = places.iter().skip(1).chain([&lap]);
+            assert!(places.iter().zip(next).all(|(p, q)| p[0] < q[0] && p[1] < q[1]), "case {case}");
+            for (axis, outline) in problem.outlines().iter().enumerate() {
+                for share in shares_of(outline) {
+                    let distance = |place: &[f64; 2]| {
+                        let gap = (place[axis] - share).rem_euclid(1.0);
+                        gap.min(1.0 - gap)
+                    };
+                    assert!(places.iter().any(|place| distance(place) < 1e-8), "case {case}: {share}");
+                }
+            }
         }
     }
 }
