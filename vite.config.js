@@ -1,10 +1,16 @@
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { licences } from "./scripts/lib/licences.mjs";
+
+const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 
 export default defineConfig({
   root: "www",
   base: "./",
   worker: { format: "es" },
+  define: { __DIRECTRIX_VERSION__: JSON.stringify(version) },
+  plugins: [licences()],
   build: {
     outDir: "../dist",
     emptyOutDir: true,

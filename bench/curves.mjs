@@ -1,14 +1,19 @@
 /** A curves document from an edit to its picture. Every run edits the document, so that nothing comes from the cache. */
 import { readFile } from "node:fs/promises";
 
-const amoeba = JSON.parse(await readFile(new URL("../www/presets/amoeba.json", import.meta.url), "utf8"));
+const preset = async (/** @type {string} */ file) =>
+  JSON.parse(await readFile(new URL(`../www/presets/${file}.json`, import.meta.url), "utf8"));
+const amoeba = await preset("amoeba");
+/** @type {any[]} */
+const presets = await Promise.all((await preset("index")).map((/** @type {{id: string}} */ { id }) => preset(id)));
 
 /** Returns ever new documents: a control point moves by a thousandth each time. */
-function edits(/** @type {[number, number]} */ counts) {
+function edits(/** @type {[number, number]} */ counts, oneToOne = false) {
   let run = 0;
   return () => {
     const document = structuredClone(amoeba);
-    document.sampling.counts = counts;
+    document.sampling = { scheme: "arc-length", counts };
+    document.matching.oneToOne = oneToOne;
     document.curves[1].points[2][0] += ++run * 1e-3;
     return document;
   };
@@ -24,6 +29,37 @@ export default [
     prepare(dx) {
       const next = edits([44, 44]);
       return () => dx.paint(next(), frame);
+    },
+  },
+  {
+    name: "edit to painted 800 x 600 picture, one to one, 44 x 44",
+    budget: 16,
+    prepare(dx) {
+      const next = edits([44, 44], true);
+      return () => dx.paint(next(), frame);
+    },
+  },
+  {
+    name: "greedy matching and insertion, 44 x 44",
+    budget: 8,
+    prepare(dx) {
+      const next = edits([44, 44], true);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "greedy matching and insertion, 200 x 200",
+    budget: 50,
+    prepare(dx) {
+      const next = edits([200, 200], true);
+      return () => dx.match(next());
+    },
+  },
+  {
+    name: "greedy matching and insertion, 1000 x 1000",
+    prepare(dx) {
+      const next = edits([1000, 1000], true);
+      return () => dx.match(next());
     },
   },
   {
@@ -47,6 +83,21 @@ export default [
     prepare(dx) {
       const next = edits([1000, 1000]);
       return () => dx.match(next());
+    },
+  },
+  {
+    // As the page does it; there are more presets than the cache remembers.
+    name: "open a preset: defaults, fit, matching, picture 1136 x 820",
+    budget: 100,
+    prepare(dx) {
+      const size = { width: 1136, height: 820 };
+      let run = 0;
+      return () => {
+        const { view: _, ...document } = dx.defaults(presets[run++ % presets.length]);
+        const view = dx.fit(document, size);
+        dx.match(document);
+        return dx.paint(document, { ...size, view, s: 0.4 });
+      };
     },
   },
   {

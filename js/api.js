@@ -1,4 +1,5 @@
-import { fromModule } from "./errors.js";
+import { DirectrixError, fromModule } from "./errors.js";
+import { flatPoints, shapesOf } from "./shapes.js";
 import { toText } from "./text.js";
 
 /** The functions that both `load()` and `connect()` offer. */
@@ -6,13 +7,52 @@ export const FUNCTIONS = /** @type {const} */ ([
   "match",
   "stages",
   "cells",
+  "isolines",
   "probe",
   "paint",
   "svg",
   "fit",
   "insertPoint",
   "defaults",
+  "readShapes",
+  "fitCurve",
 ]);
+
+/** Values of `options.format` of `readShapes`. */
+const FORMATS = ["auto", "svg", "points"];
+
+/**
+ * The engine as one that reads shapes, which that of the module `figure` does not.
+ *
+ * @param {import("./pkg/directrix.js").Engine} engine
+ * @param {string} name of the function
+ * @returns {import("./pkg/directrix_full.js").Engine}
+ */
+function importer(engine, name) {
+  if (name in engine) return /** @type {any} */ (engine);
+  throw new DirectrixError("not-in-module", "", `${name} is not in the module "figure"; load the module "full"`);
+}
+
+/** The levels of isolines that are not asked for. */
+const TENTHS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+
+/**
+ * Isolines by level, from lists of numbers: the index of the level and 0 or 1 for closed, then x and y of each point.
+ *
+ * @param {number[]} levels
+ * @param {number[][] | null} flat null without a complete matching
+ * @returns {import("./directrix.js").Isoline[]}
+ */
+function grouped(levels, flat) {
+  if (!flat) return [];
+  const groups = levels.map((level) => /** @type {import("./directrix.js").Isoline} */ ({ level, lines: [], closed: [] }));
+  for (const [k, closed, ...numbers] of flat) {
+    const points = Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
+    groups[k].lines.push(/** @type {import("./directrix.js").Point[]} */ (points));
+    groups[k].closed.push(closed === 1);
+  }
+  return groups;
+}
 
 /**
  * Wraps an engine of the module: documents go in as objects or as text, errors come out as `DirectrixError`.
@@ -33,24 +73,62 @@ export function createApi(engine) {
       throw fromModule(error);
     }
   };
+  /**
+   * @param {import("./directrix.js").DocumentInput} document
+   * @param {import("./directrix.js").PictureOptions} options
+   */
+  const start = (document, options) => ask(() => engine.painting(toText(document), toText(options, "options")));
   return {
     match: (document) => ask(() => engine.match(toText(document))),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
     cells: (document) => ask(() => engine.cells(toText(document))),
+    isolines: (document, options = {}) =>
+      ask(() => {
+        const { levels = TENTHS } = options;
+        const flat = engine.isolines(toText(document), toText({ ...options, levels }, "options"));
+        return grouped(levels, flat);
+      }),
     probe: (document, [x, y]) => ask(() => engine.probe(toText(document), x, y)),
-    paint: (document, options) => ask(() => engine.paint(toText(document), toText(options, "options"))),
+    paint(document, options) {
+      const painting = start(document, options);
+      return ask(() => {
+        painting.step(Infinity);
+        return painting.picture();
+      });
+    },
     svg: (document, options) => ask(() => engine.svg(toText(document), toText(options, "options"))),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
-    job(document) {
+    readShapes: (text, options = {}) =>
+      ask(() => {
+        const { format = "auto" } = options;
+        if (typeof text !== "string") throw new DirectrixError("type", "text", `${String(text)} was found; expected a text`);
+        if (!FORMATS.includes(format)) {
+          throw new DirectrixError("range", "options.format", `"${format}" was found; expected ${FORMATS.join(", ")}`);
+        }
+        return shapesOf(importer(engine, "readShapes").readShapes(text, format));
+      }),
+    fitCurve: (points, options) =>
+      ask(() => importer(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
+    job(document, { paint } = {}) {
       const text = ask(() => toText(document));
-      return {
-        step(budget) {
-          const progress = ask(() => engine.step(text, budget));
-          return { progress, done: progress === 1 };
-        },
+      /** @type {import("./pkg/directrix.js").Painting | undefined} */
+      let painting;
+      /** @type {import("./directrix.js").Progress | undefined} */
+      let end;
+      const solve = (/** @type {number} */ budget) => {
+        const progress = ask(() => engine.step(text, budget));
+        if (!paint) return { progress, done: progress === 1 };
+        if (progress === 1) painting = start(text, paint);
+        return { progress: progress / 2, done: false };
       };
+      const go = (/** @type {import("./pkg/directrix.js").Painting} */ painting, /** @type {number} */ budget) => {
+        const painted = ask(() => painting.step(budget));
+        if (painted < 1) return { progress: (1 + painted) / 2, done: false };
+        return (end = { progress: 1, done: true, picture: ask(() => painting.picture()) });
+      };
+      return { step: (budget) => end ?? (painting ? go(painting, budget) : solve(budget)) };
     },
   };
 }

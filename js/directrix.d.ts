@@ -40,7 +40,8 @@ export type LayerName =
   | "controlPoints"
   | "normals"
   | "grid"
-  | "value";
+  | "value"
+  | "isoComposition";
 
 /** A curves document; docs/format.md defines every field. */
 export interface CurvesDocument {
@@ -74,7 +75,7 @@ export interface CurvesDocument {
     printed?: string[];
   };
   blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
-  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number };
+  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number };
 }
 
 /** A document as an object, or its JSON text. */
@@ -82,7 +83,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -111,6 +112,20 @@ export interface Line {
   visible: boolean;
 }
 
+/** A one-to-one line; at a gap that could not be verified, a line of the star matching. */
+export interface Pair {
+  /** Parameter on the first counter-clockwise curve. */
+  u: number;
+  /** Parameter on the second one, ascending beyond the end of its domain. */
+  v: number;
+  /** f */
+  value: number;
+  /** Whether it meets no edge of the refined polygons and crosses no other pair, checked edge by edge and pair by pair. */
+  verified: boolean;
+  from: Point;
+  to: Point;
+}
+
 /** What a set of lines is worth. */
 export interface LineTotals {
   count: number;
@@ -137,11 +152,16 @@ export interface Match {
   samples: Samples[];
   /** In cyclic order. */
   lines: Line[];
-  /** One-to-one pairs; empty in this release. */
-  pairs: { u: number; v: number; value: number; verified: boolean }[];
-  /** Parameters [u, v] of every line, both ascending beyond the ends of their domains; empty unless `ok`. */
+  /** Lines with ends of their own, in cyclic order; empty unless the document asks for them and `ok`. */
+  pairs: Pair[];
+  /** Parameters [u, v] of every line, or pair where there are pairs, ascending beyond the ends of their domains; empty unless `ok`. */
   reparameterisation: [number, number][];
-  totals: { lines: LineTotals | null; pairs: LineTotals | null };
+  totals: {
+    /** Every line that the growth accepted, before redundant ones are removed. */
+    growth: { count: number; sum: number } | null;
+    lines: LineTotals | null;
+    pairs: LineTotals | null;
+  };
 }
 
 /** A closed polyline at the share s of the way from curve 1 to curve 2. */
@@ -159,9 +179,25 @@ export interface UnitCell {
   fractions: number[];
 }
 
+/** The lines that part the places with at least a fraction of one material from the others. */
+export interface Isoline {
+  level: number;
+  /** Polylines; a closed one does not repeat its first point, an open one ends on the curves. */
+  lines: Point[][];
+  /** Whether each of the lines is closed. */
+  closed: boolean[];
+}
+
+export interface IsolineOptions {
+  /** Index of the material whose fraction has the levels. Default 0. */
+  material?: number;
+  /** 1 to 100 fractions, 0 to 1. Default: every tenth, 0.1 to 0.9. */
+  levels?: number[];
+}
+
 /** What the band holds at a point. */
 export interface Probe {
-  /** Index of the nearest ruling line. */
+  /** Index of the nearest ruling line: among the pairs where there are pairs. */
   line: number;
   s: number;
   u: number;
@@ -203,8 +239,10 @@ export interface PictureOptions extends PictureSize {
   background?: boolean;
   /** Place of the current in-between curve, 0 to 1; null hides it. Default: the document's. */
   s?: number | null;
-  /** Index of a ruling line to lift out. */
+  /** Index of a ruling line to lift out: among the pairs where there are pairs. */
   line?: number | null;
+  /** Index of the material whose lines of equal fraction the layer `isoComposition` shows. Default: the document's, else 0. */
+  isoMaterial?: number | null;
 }
 
 /** Straight RGBA pixels, row by row from the top. */
@@ -215,10 +253,70 @@ export interface Picture {
   view: View;
 }
 
-/** The solution of a document in steps, for hosts that must stay responsive. */
+/** How far a job has come. */
+export interface Progress {
+  /** The share done, 0 to 1. */
+  progress: number;
+  done: boolean;
+  /** Of a job that paints, when it is done. */
+  picture?: Picture;
+}
+
+/** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
 export interface Job {
   /** Works for about so many milliseconds. When done, the other functions answer from the result. */
-  step(budget: number): { progress: number; done: boolean };
+  step(budget: number): Progress;
+}
+
+/** A closed outline that was read; y up. */
+export interface Shape {
+  name: string;
+  /** Whether it was drawn closed; else a straight edge joins its ends. */
+  closed: boolean;
+  /** Vertices in order, the first one not repeated; curves are resolved into them. */
+  points: Point[];
+  /** Indices of vertices that were drawn as corners; empty for lists of points. */
+  corners: number[];
+  /** Area inside. */
+  area: number;
+  /** Length of the outline. */
+  length: number;
+}
+
+/** What was read, and what was found and could not be. */
+export interface ShapeList {
+  shapes: Shape[];
+  skipped: { name: string; reason: string }[];
+}
+
+export interface FitOptions {
+  /** Largest distance between the curve and the polyline through the points, above 0. */
+  tolerance: number;
+  /** Whether corners stay or are rounded within the tolerance. Default `keep`. */
+  corners?: "keep" | "smooth";
+  /** Whether the curve meets every point; the tolerance then only tells which corners there are. Default false. */
+  through?: boolean;
+  /** Corners that are kept, as indices of the points. Default: found by the angle, from 40 degrees, on the scale of the tolerance. */
+  cornerIndices?: number[];
+  /**
+   * What becomes of the ends of a list whose last point does not repeat the first: a straight edge joins them, and `trim`
+   * leaves out what they overlap, as the ends of a drawn stroke do. Default `trim`; `join` where corners are given or points are met.
+   */
+  ends?: "trim" | "join";
+}
+
+/** A curve near a list of points. */
+export interface FittedCurve {
+  /** Periodic and cubic over [0, 1], from the first point on; fit for a document. */
+  curve: { degree: number; form: "periodic"; points: Point[]; knots: number[] };
+  /** Bound of the distance between the curve and the polyline through the points, in both directions. */
+  error: number;
+  /** Indices of the points that are corners of the curve. */
+  corners: number[];
+  /** Whether the curve does not meet itself. */
+  simple: boolean;
+  /** Number of points left out at the ends. */
+  trimmed: number;
 }
 
 /** The functions of a module. All throw `DirectrixError`. */
@@ -226,13 +324,19 @@ export interface Directrix {
   match(document: DocumentInput): Match;
   stages(document: DocumentInput, options?: { refine?: number }): Stage[];
   cells(document: DocumentInput): UnitCell[];
+  /** One entry for each level, in the order asked for; empty unless the matching is complete. */
+  isolines(document: DocumentInput, options?: IsolineOptions): Isoline[];
   probe(document: DocumentInput, point: Point): Probe | null;
   paint(document: DocumentInput, options: PictureOptions): Picture;
   svg(document: DocumentInput, options: PictureOptions): string;
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
-  job(document: DocumentInput): Job;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  fitCurve(points: Point[], options: FitOptions): FittedCurve;
+  job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
 }
 
 export interface LoadOptions {
@@ -286,6 +390,7 @@ export type ErrorCode =
   | "zero-length"
   | "self-intersection"
   | "contact"
+  | "not-in-module"
   | "trap"
   | "closed"
   | "failed";

@@ -5,6 +5,9 @@ import { toText } from "./text.js";
 /** Milliseconds of work between two looks at the mailbox. */
 const BUDGET = 12;
 
+/** Functions that do not ask for the solution of a document. */
+const UNSOLVED = new Set(["defaults", "fit", "insertPoint", "readShapes", "fitCurve"]);
+
 /** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
 
 const scope = /** @type {any} */ (globalThis);
@@ -45,8 +48,8 @@ async function work() {
   for (let call = calls.shift(); call; call = calls.shift()) {
     current = call.id;
     try {
-      await solve(dx, call);
-      if (current === call.id) answer(call.id, run(dx, call));
+      const picture = await solve(dx, call);
+      if (current === call.id) answer(call.id, picture ?? run(dx, call));
     } catch (error) {
       scope.postMessage({ type: "error", id: call.id, error: plain(error) });
     }
@@ -56,19 +59,22 @@ async function work() {
 }
 
 /**
- * Solves the document of a call in steps, so that messages get through in between.
+ * Solves the document of a call in steps, so that messages get through in between. A picture is painted in steps as well.
  *
  * @param {import("./directrix.js").Directrix} dx
  * @param {Call} call
+ * @returns {Promise<import("./directrix.js").Picture | undefined>} the answer to a call for a picture
  */
-async function solve(dx, call) {
-  if (call.name === "defaults" || call.name === "fit" || call.name === "insertPoint") return;
-  call.args[0] = toText(call.args[0]);
-  const job = dx.job(call.args[0]);
-  for (let state = job.step(BUDGET); !state.done && current === call.id; state = job.step(BUDGET)) {
-    scope.postMessage({ type: "progress", id: call.id, progress: state.progress });
+async function solve(dx, { id, name, args }) {
+  if (UNSOLVED.has(name)) return undefined;
+  args[0] = toText(args[0]);
+  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : {});
+  let state = job.step(BUDGET);
+  for (; !state.done && current === id; state = job.step(BUDGET)) {
+    scope.postMessage({ type: "progress", id, progress: state.progress });
     await nextMessage();
   }
+  return state.picture;
 }
 
 /**

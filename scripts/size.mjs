@@ -3,7 +3,7 @@ import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { moduleSteps } from "./lib/modules.mjs";
-import { page } from "./lib/page.mjs";
+import { pageSteps } from "./lib/page.mjs";
 import { dist, pkg, root } from "./lib/paths.mjs";
 import { build } from "./lib/steps.mjs";
 
@@ -99,5 +99,5 @@ async function size() {
   }
 }
 
-if (await build([...moduleSteps({ optimised: true }), page])) await size();
+if (await build([...moduleSteps({ optimised: true }), ...pageSteps])) await size();
 else process.exitCode = 1;

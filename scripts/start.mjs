@@ -3,7 +3,7 @@
  * port; without it the first free one from 5173 on is taken. Ctrl-C ends it.
  */
 import { moduleSteps } from "./lib/modules.mjs";
-import { page } from "./lib/page.mjs";
+import { pageSteps } from "./lib/page.mjs";
 import { dist } from "./lib/paths.mjs";
 import { code, serve } from "./lib/serve.mjs";
 import { build } from "./lib/steps.mjs";
@@ -31,7 +31,7 @@ async function serveOnFreePort() {
   throw new Error(`no free port from ${firstPort} to ${firstPort + ports - 1}: choose one with PORT`);
 }
 
-if (await build([...moduleSteps(), page])) {
+if (await build([...moduleSteps(), ...pageSteps])) {
   try {
     const served = await serveOnFreePort();
     console.log(`Directrix: ${served.url} (Ctrl-C ends it)`);

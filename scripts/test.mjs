@@ -5,13 +5,13 @@
 import { browser } from "./lib/browser.mjs";
 import { countTests } from "./lib/counts.mjs";
 import { moduleSteps } from "./lib/modules.mjs";
-import { page } from "./lib/page.mjs";
+import { pageSteps } from "./lib/page.mjs";
 import { runSteps } from "./lib/steps.mjs";
 import { suites } from "./lib/suites.mjs";
 
 /** @typedef {import("./lib/steps.mjs").Result} Result */
 
-const steps = [...moduleSteps(), page, browser, ...suites];
+const steps = [...moduleSteps(), ...pageSteps, browser, ...suites];
 const width = Math.max(...steps.map((step) => step.name.length));
 const marks = { done: "ok", fresh: "ok", failed: "FAILED", "not run": "NOT RUN" };
 

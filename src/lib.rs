@@ -41,6 +41,8 @@ pub mod material;
 pub mod curve;
 #[cfg(feature = "curves")]
 pub mod document;
+#[cfg(feature = "import")]
+pub mod import;
 #[cfg(feature = "curves")]
 pub mod matching;
 #[cfg(feature = "curves")]

@@ -4,6 +4,7 @@ import { modulesReady } from "./modules.mjs";
 import { dist, root } from "./paths.mjs";
 import { run } from "./run.mjs";
 import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
+import { thumbnails } from "./thumbnails.mjs";
 
 /** @type {import("./stamp.mjs").Made} */
 const made = {
@@ -15,9 +16,9 @@ const made = {
 export const vite = join(root, "node_modules/vite/bin/vite.js");
 
 /** @type {import("./steps.mjs").Step} */
-export const page = {
+const page = {
   name: "page",
-  needs: ["packages", ...modulesReady],
+  needs: ["packages", ...modulesReady, thumbnails.name],
   async run(log) {
     if (await isFresh("page", made)) return "fresh";
     const before = await inputs(made);
@@ -26,3 +27,6 @@ export const page = {
     await mark("page", made, before);
   },
 };
+
+/** The steps that build the page once the modules are there. */
+export const pageSteps = [thumbnails, page];

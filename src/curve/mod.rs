@@ -1,4 +1,4 @@
-//! Closed B-spline curves: basis, evaluation, arc length, sampling, checks.
+//! Closed B-spline curves: basis, evaluation, arc length, sampling, checks, fitting.
 //!
 //! A curve is checked once, in [`ClosedBSpline::new`], and never changes; operations give new curves. Parameters
 //! are in the knot domain `[lo, hi)` of the curve and are wrapped into it. Questions that need pieces (area,
@@ -13,6 +13,7 @@ mod closed_bspline;
 mod cone;
 mod corner;
 mod error;
+mod fit;
 mod flatten;
 mod hull_tree;
 mod insert_knot;
@@ -26,6 +27,7 @@ pub use arc_length::ArcLength;
 pub use closed_bspline::{ClosedBSpline, Form};
 pub use corner::Corner;
 pub use error::CurveError;
+pub use fit::{CornerRule, EndRule, Fit, FitError, FitOptions, MOST_POINTS as MOST_FIT_POINTS, fit};
 pub use meeting::Meeting;
 pub use nearest::Nearest;
 pub use sample::{Samples, Scheme, sample};

@@ -33,6 +33,7 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
     };
     let materials = materials(node)?;
     let curves = curves(&node.need("curves")?, materials.len())?;
+    let materials_count = materials.len();
     Ok(CurvesDocument {
         directrix: 1,
         kind: Kind::Curves,
@@ -43,7 +44,7 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
         curves,
         matching: matching(&node.need("matching")?)?,
         blend: node.get("blend")?.map_or_else(|| Ok(Blend::default()), |n| blend(&n))?,
-        view: node.get("view")?.map(|n| view(&n)).transpose()?,
+        view: node.get("view")?.map(|n| view(&n, materials_count)).transpose()?,
     })
 }
 
@@ -216,13 +217,14 @@ fn blend(node: &Node<'_>) -> Read<Blend> {
     })
 }
 
-fn view(node: &Node<'_>) -> Read<View> {
-    node.only(&["layers", "center", "span", "s"])?;
+fn view(node: &Node<'_>, materials: usize) -> Read<View> {
+    node.only(&["layers", "center", "span", "s", "isoMaterial"])?;
     Ok(View {
         layers: node.get("layers")?.map(|n| layers(&n)).transpose()?,
         center: node.get("center")?.map(|n| center(&n)).transpose()?,
         span: node.get("span")?.map(|n| n.within(1e-9..=LARGEST)).transpose()?,
         s: node.get("s")?.map(|n| n.within(0.0..=1.0)).transpose()?,
+        iso_material: node.get("isoMaterial")?.map(|n| n.index(materials, "material")).transpose()?,
     })
 }
 

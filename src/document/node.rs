@@ -101,6 +101,17 @@ impl<'a> Node<'a> {
         Ok(count)
     }
 
+    /// The index of one of `count` things.
+    pub(crate) fn index(&self, count: usize, thing: &str) -> Result<usize, DocumentError> {
+        let index = self.count()?;
+        if index < count {
+            return Ok(index);
+        }
+        let last = count.saturating_sub(1);
+        Err(self
+            .error(Code::Range, format!("{index} was found; expected the index of a {thing}, 0 to {last}")))
+    }
+
     /// Refuses a number of things out of range; more than the greatest passes a limit.
     pub(crate) fn check_count(
         &self,
@@ -144,6 +155,18 @@ impl<'a> Node<'a> {
     /// Tells whether the value is null.
     pub(crate) fn is_null(&self) -> bool {
         *self.value == Json::Null
+    }
+
+    /// Tells whether the value is a list.
+    #[cfg(feature = "import")]
+    pub(crate) fn is_list(&self) -> bool {
+        matches!(self.value, Json::List(_))
+    }
+
+    /// Tells whether the value is an object.
+    #[cfg(feature = "import")]
+    pub(crate) fn is_object(&self) -> bool {
+        matches!(self.value, Json::Object(_))
     }
 
     /// An error at this value.

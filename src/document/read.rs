@@ -239,6 +239,8 @@ mod tests {
         expect_at(Code::Range, "materials", "/materials", json!([]));
         expect_at(Code::Limit, "title", "/title", json!("x".repeat(201)));
         expect_at(Code::Range, "view.s", "/view/s", json!(1.5));
+        expect_at(Code::Range, "view.isoMaterial", "/view/isoMaterial", json!(2));
+        expect_at(Code::Type, "view.isoMaterial", "/view/isoMaterial", json!(-1));
         expect_at(Code::Range, "view.layers[0]", "/view/layers", json!(["rulings"]));
     }
 }

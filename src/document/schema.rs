@@ -216,6 +216,9 @@ pub struct View {
     /// Place of the current in-between curve, from 0 on the first curve to 1 on the second.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub s: Option<f64>,
+    /// Index of the material whose lines of equal fraction are shown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub iso_material: Option<usize>,
 }
 
 /// Layers of the picture. The two curves are always drawn.
@@ -242,11 +245,13 @@ pub enum LayerName {
     Grid,
     /// Ruling lines coloured by their value.
     Value,
+    /// Lines of equal fraction of one material.
+    IsoComposition,
 }
 
 impl LayerName {
     /// Every layer.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Material,
         Self::UnitCells,
         Self::InBetweens,
@@ -257,10 +262,11 @@ impl LayerName {
         Self::Normals,
         Self::Grid,
         Self::Value,
+        Self::IsoComposition,
     ];
 
     /// Their names in documents, in the same order.
-    pub const NAMES: [&'static str; 10] = [
+    pub const NAMES: [&'static str; 11] = [
         "material",
         "unitCells",
         "inBetweens",
@@ -271,6 +277,7 @@ impl LayerName {
         "normals",
         "grid",
         "value",
+        "isoComposition",
     ];
 
     /// The layers shown when a document names none.

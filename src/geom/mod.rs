@@ -1,5 +1,6 @@
-//! Plane geometry: bounds, exact predicates, polygons, quadrature, searches over segments.
+//! Plane geometry: bounds, exact predicates, polygons, quadrature, searches over segments, banded systems.
 
+mod band;
 mod bounds;
 mod deepest_point;
 mod orient;
@@ -8,6 +9,7 @@ mod quadrature;
 mod segment_grid;
 mod shown;
 
+pub use band::BandMatrix;
 pub use bounds::Bounds;
 pub use deepest_point::deepest_point;
 pub use orient::{orient2d, segment_crossing, segments_meet};

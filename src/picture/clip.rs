@@ -1,6 +1,6 @@
 //! Geometry on the screen, cut to a frame round the picture.
 //!
-//! The rasteriser computes in `f32` and fixed point, which far coordinates overflow, and long dashed lines outside the picture
+//! The coverage of lines is computed in `f32`, which loses the digits of far coordinates, and long dashed lines outside the picture
 //! would cost time for nothing. So every line and polygon is cut here, in `f64`, to the picture and a margin wide enough that no
 //! cut shows.
 
@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::{Path, Viewport};
 
-/// Points nearer than this to the one before are dropped, in pixels: an eighth of what the rasteriser resolves.
+/// Points nearer than this to the one before are dropped, in pixels: too near to be told apart.
 const SAME_POINT: f64 = 1.0 / 64.0;
 
 /// An axis-parallel box in pixels.
@@ -27,6 +27,19 @@ pub(super) struct Piece {
     pub(super) closed: bool,
     /// Length of the line before this piece, in pixels: where the pattern of dashes stands.
     pub(super) start: f64,
+}
+
+impl Piece {
+    /// A single point.
+    pub(super) fn dot(at: DVec2) -> Self {
+        Self { points: vec![at, at], closed: false, start: 0.0 }
+    }
+
+    /// The points of each side, from the first on.
+    pub(super) fn segments(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
+        let last = self.points.last().filter(|_| self.closed).map(|&last| (last, self.points[0]));
+        self.points.windows(2).map(|pair| (pair[0], pair[1])).chain(last)
+    }
 }
 
 impl Frame {

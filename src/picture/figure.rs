@@ -21,6 +21,8 @@ pub struct FigureOptions {
     pub s: Option<f64>,
     /// Index of a ruling line to lift out.
     pub line: Option<usize>,
+    /// Index of the material whose lines of equal fraction are shown; of one that is not there are none.
+    pub iso_material: usize,
 }
 
 /// Chord error of the drawn curves in device pixels: below what anti-aliasing shows.
@@ -53,6 +55,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     if let Some(band) = solution.band() {
         drawing.material(band);
         drawing.in_betweens(band);
+        drawing.iso_lines(band);
     }
     if let Some((problem, lines, _)) = solution.lines() {
         drawing.lines(problem, lines);
@@ -137,6 +140,21 @@ impl Drawing<'_> {
             let stages = self.solution.model.document().blend.stages;
             let rings = (1..stages).map(|j| band.in_between(j as f64 / stages as f64)).collect();
             self.stroke("in-betweens", Path { rings, closed: true }, self.inside(self.theme.in_between));
+        }
+    }
+
+    /// Lines at every tenth of the fraction, each second one firm.
+    fn iso_lines(&mut self, band: &Band) {
+        let material = self.options.iso_material;
+        if !self.shows(LayerName::IsoComposition) || material >= self.solution.model.materials().len() {
+            return;
+        }
+        for tenth in [1, 3, 5, 7, 9, 2, 4, 6, 8] {
+            let style = self.inside(if tenth % 2 == 0 { self.theme.iso } else { self.theme.iso_minor });
+            for line in band.iso_lines(material, f64::from(tenth) / 10.0) {
+                let path = Path { rings: vec![line.points], closed: line.closed };
+                self.stroke("iso-composition", path, style);
+            }
         }
     }
 

@@ -11,8 +11,9 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::clip::{Frame, cut};
+use super::lines::is_clear;
 use super::shade::{Cones, Levels, Shader, cones, fixed, flat_span};
-use super::thin::is_clear;
+use super::window::Window;
 use super::{Mesh, Viewport};
 
 /// Steps of the snapped coordinates in a pixel.
@@ -27,16 +28,21 @@ const BLOCK: usize = 16;
 
 /// A rectangle of pixels with the colours of a mesh; alpha is 255 where the mesh is and 0 elsewhere.
 pub(super) struct Layer {
-    /// Left column and top row in the picture.
-    pub(super) corner: [u32; 2],
-    /// Pixels in a row.
-    pub(super) width: usize,
+    pub(super) window: Window,
     /// Row by row from the top.
     pub(super) pixels: Vec<[u8; 4]>,
     shader: Shader,
 }
 
-/// A vertex on the screen: pixels relative to the corner of the layer, and colour.
+/// A mesh on the screen.
+pub(super) struct PlacedMesh {
+    vertices: Vec<Vertex>,
+    /// Every vertex snapped to the subpixel raster, `None` when it is too far.
+    snapped: Vec<Option<Snapped>>,
+    triangles: Vec<[u32; 3]>,
+}
+
+/// A vertex on the screen: pixels and colour.
 #[derive(Debug, Clone, Copy)]
 struct Vertex {
     at: DVec2,
@@ -62,11 +68,11 @@ struct Side {
     divisor: i64,
 }
 
-/// The sides of a triangle on a layer of a given width.
+/// The sides of a triangle on a layer with the given columns.
 struct Columns {
     left: [Side; 2],
     right: [Side; 2],
-    width: i64,
+    within: Range<i64>,
 }
 
 /// Three values linear over the pixels of a triangle.
@@ -80,22 +86,36 @@ struct Plane {
     per_y: [f64; 3],
 }
 
-impl Layer {
-    /// An empty rectangle of pixels of a picture.
-    pub(super) fn new(corner: [u32; 2], width: u32, height: u32) -> Self {
-        let width = width as usize;
-        Self { corner, width, pixels: vec![[0; 4]; width * height as usize], shader: Shader::new() }
+impl PlacedMesh {
+    /// Places a mesh, which must have passed its check.
+    pub(super) fn new(mesh: &Mesh, viewport: &Viewport) -> Self {
+        let shader = Shader::new();
+        let pairs = mesh.vertices.iter().zip(&mesh.colors);
+        let vertices: Vec<Vertex> =
+            pairs.map(|(&p, &color)| Vertex { at: viewport.place(p), color: cones(color) }).collect();
+        let snapped = vertices.iter().map(|v| v.snap(&shader)).collect();
+        Self { vertices, snapped, triangles: mesh.triangles.clone() }
     }
 
-    /// Fills the triangles of a mesh, which must have passed its check.
-    pub(super) fn draw(&mut self, mesh: &Mesh, viewport: &Viewport) {
-        let vertices = self.place(mesh, viewport);
-        let snapped: Vec<Option<Snapped>> = vertices.iter().map(|v| v.snap(&self.shader)).collect();
+    /// The corners of the triangles.
+    pub(super) fn corners(&self) -> impl Iterator<Item = DVec2> + '_ {
+        self.triangles.iter().flatten().map(|&i| self.vertices[i as usize].at)
+    }
+}
+
+impl Layer {
+    /// An empty rectangle of pixels of a picture.
+    pub(super) fn new(window: Window) -> Self {
+        Self { pixels: vec![[0; 4]; window.area()], window, shader: Shader::new() }
+    }
+
+    /// Fills the triangles of a mesh.
+    pub(super) fn draw(&mut self, mesh: &PlacedMesh) {
         for corners in &mesh.triangles {
             let [a, b, c] = corners.map(|i| i as usize);
-            match (snapped[a], snapped[b], snapped[c]) {
+            match (mesh.snapped[a], mesh.snapped[b], mesh.snapped[c]) {
                 (Some(a), Some(b), Some(c)) => self.triangle(a, b, c),
-                _ => self.far_triangle([vertices[a], vertices[b], vertices[c]]),
+                _ => self.far_triangle([a, b, c].map(|i| mesh.vertices[i])),
             }
         }
     }
@@ -103,7 +123,7 @@ impl Layer {
     /// Gives each pixel with coverage that the mesh misses the colour of a nearest pixel with colour, spreading from
     /// neighbour to neighbour among the pixels with coverage. Where a part of the outline has no pixel with colour at all
     /// (it is thinner than a pixel there), the edges of the mesh are drawn first.
-    pub(super) fn complete(&mut self, coverage: &[u8], mesh: &Mesh, viewport: &Viewport) {
+    pub(super) fn complete(&mut self, coverage: &[u8], mesh: &PlacedMesh) {
         let mut missing = self.missing(coverage);
         if missing.is_empty() {
             return;
@@ -111,7 +131,7 @@ impl Layer {
         self.spread(&missing, coverage);
         missing.retain(|&i| self.pixels[i][3] == 0);
         if !missing.is_empty() {
-            self.draw_edges(coverage, mesh, viewport);
+            self.draw_edges(coverage, mesh);
             self.spread(&missing, coverage);
         }
     }
@@ -160,8 +180,7 @@ impl Layer {
     fn neighbours(&self, index: usize) -> impl Iterator<Item = usize> + use<> {
         const AROUND: [(isize, isize); 8] =
             [(0, -1), (-1, 0), (1, 0), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)];
-        let width = self.width;
-        let height = self.pixels.len() / width;
+        let (width, height) = (self.window.width(), self.window.height());
         let (x, y) = (index % width, index / width);
         AROUND.into_iter().filter_map(move |(dx, dy)| {
             let nx = x.checked_add_signed(dx).filter(|&v| v < width)?;
@@ -170,31 +189,28 @@ impl Layer {
         })
     }
 
-    fn draw_edges(&mut self, coverage: &[u8], mesh: &Mesh, viewport: &Viewport) {
-        let height = self.pixels.len() / self.width;
-        let frame = Frame { min: DVec2::ZERO, max: DVec2::new(self.width as f64, height as f64) };
-        let vertices = self.place(mesh, viewport);
+    fn draw_edges(&mut self, coverage: &[u8], mesh: &PlacedMesh) {
+        let Window { columns, rows } = &self.window;
+        let max = DVec2::new(columns.end as f64, rows.end as f64);
+        let frame = Frame { min: self.window.corner(), max };
         for corners in &mesh.triangles {
             for k in 0..3 {
-                let (a, b) = (vertices[corners[k] as usize], vertices[corners[(k + 1) % 3] as usize]);
+                let (a, b) =
+                    (mesh.vertices[corners[k] as usize], mesh.vertices[corners[(k + 1) % 3] as usize]);
                 let Some((low, high)) = frame.clip_segment(a.at, b.at) else { continue };
                 let steps = (2.0 * (high - low) * a.at.distance(b.at)).ceil().max(1.0);
                 for i in 0..=steps as usize {
                     let vertex = a.lerp(b, low + (high - low) * i as f64 / steps);
                     let (x, y) = (vertex.at.x as usize, vertex.at.y as usize);
-                    let index = y * self.width + x.min(self.width - 1);
-                    if y < height && coverage[index] > 0 && self.pixels[index][3] == 0 {
+                    // Rounding may put an end of the edge just outside.
+                    let x = x.clamp(columns.start, columns.end - 1);
+                    let index = self.window.index(x, y.clamp(rows.start, rows.end - 1));
+                    if coverage[index] > 0 && self.pixels[index][3] == 0 {
                         self.pixels[index] = self.shader.pixel(vertex.color);
                     }
                 }
             }
         }
-    }
-
-    fn place(&self, mesh: &Mesh, viewport: &Viewport) -> Vec<Vertex> {
-        let corner = DVec2::from(self.corner.map(f64::from));
-        let pairs = mesh.vertices.iter().zip(&mesh.colors);
-        pairs.map(|(&p, &color)| Vertex { at: viewport.place(p) - corner, color: cones(color) }).collect()
     }
 
     /// A triangle that reaches too far to be snapped: cut to a polygon, then filled as a fan.
@@ -216,11 +232,13 @@ impl Layer {
     fn triangle(&mut self, a: Snapped, b: Snapped, c: Snapped) {
         let doubled = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         let (b, c) = if doubled < 0 { (c, b) } else { (b, c) };
-        let width = self.width as i64;
-        let height = (self.pixels.len() / self.width) as i64;
-        let top = first_center(a.y.min(b.y).min(c.y)).max(0);
-        let bottom = first_center(a.y.max(b.y).max(c.y)).min(height);
-        let apart = a.x.max(b.x).max(c.x) < 0 || a.x.min(b.x).min(c.x) >= width * SUBPIXELS as i64;
+        let [columns, rows] =
+            [&self.window.columns, &self.window.rows].map(|range| range.start as i64..range.end as i64);
+        let top = first_center(a.y.min(b.y).min(c.y)).max(rows.start);
+        let bottom = first_center(a.y.max(b.y).max(c.y)).min(rows.end);
+        let scale = SUBPIXELS as i64;
+        let apart =
+            a.x.max(b.x).max(c.x) < columns.start * scale || a.x.min(b.x).min(c.x) >= columns.end * scale;
         if doubled == 0 || top >= bottom || apart {
             return;
         }
@@ -229,7 +247,7 @@ impl Layer {
         let sides = [(a, b), (b, c), (c, a)].map(|(from, to)| Side::new(from, to, top));
         let rises = [b.y < a.y, c.y < b.y, a.y < c.y];
         let falls = [b.y > a.y, c.y > b.y, a.y > c.y];
-        let columns = Columns { left: pair(&sides, rises), right: pair(&sides, falls), width };
+        let columns = Columns { left: pair(&sides, rises), right: pair(&sides, falls), within: columns };
         let rows = top..bottom;
         if self.shader.is_flat([&a.color, &b.color, &c.color], [&a.levels, &b.levels, &c.levels]) {
             let plane = Plane::new([a, b, c], |v| v.levels);
@@ -254,12 +272,13 @@ impl Layer {
         rows: Range<i64>,
         mut fill: impl FnMut(&mut [[u8; 4]], i64, i64),
     ) {
-        let width = self.width;
-        let band = &mut self.pixels[rows.start as usize * width..rows.end as usize * width];
-        for (row, y) in band.chunks_exact_mut(width).zip(rows) {
+        let width = self.window.width();
+        let (left, top) = (self.window.columns.start as i64, self.window.rows.start as i64);
+        let band = (rows.start - top) as usize * width..(rows.end - top) as usize * width;
+        for (row, y) in self.pixels[band].chunks_exact_mut(width).zip(rows) {
             let (start, end) = columns.advance();
             if start < end {
-                fill(&mut row[start as usize..end as usize], start, y);
+                fill(&mut row[(start - left) as usize..(end - left) as usize], start, y);
             }
         }
     }
@@ -275,8 +294,8 @@ fn pair(sides: &[Side; 3], chosen: [bool; 3]) -> [Side; 2] {
 impl Columns {
     /// The first column inside and the one past the last in this row; moves on to the next.
     fn advance(&mut self) -> (i64, i64) {
-        let start = self.left[0].column.max(self.left[1].column).max(0);
-        let end = self.right[0].column.min(self.right[1].column).min(self.width);
+        let start = self.left[0].column.max(self.left[1].column).max(self.within.start);
+        let end = self.right[0].column.min(self.right[1].column).min(self.within.end);
         self.left.iter_mut().chain(&mut self.right).for_each(Side::advance);
         (start, end)
     }
@@ -384,8 +403,8 @@ mod tests {
     }
 
     fn painted(mesh: &Mesh) -> Vec<bool> {
-        let mut layer = Layer::new([0, 0], 64, 64);
-        layer.draw(mesh, &VIEW);
+        let mut layer = Layer::new(Window::whole(64, 64));
+        layer.draw(&PlacedMesh::new(mesh, &VIEW));
         layer.pixels.iter().map(|p| p[3] != 0).collect()
     }
 
@@ -456,10 +475,11 @@ mod tests {
     #[test]
     fn missed_pixels_take_the_colour_of_their_neighbours() {
         let square = mesh(&[(10.0, 10.0), (20.0, 10.0), (20.0, 20.0), (10.0, 20.0)], &[[0, 1, 2], [0, 2, 3]]);
-        let mut layer = Layer::new([0, 0], 64, 64);
-        layer.draw(&square, &VIEW);
+        let square = PlacedMesh::new(&square, &VIEW);
+        let mut layer = Layer::new(Window::whole(64, 64));
+        layer.draw(&square);
         let coverage: Vec<u8> = (0..64 * 64).map(|i| if i % 64 < 25 { 9 } else { 0 }).collect();
-        layer.complete(&coverage, &square, &VIEW);
+        layer.complete(&coverage, &square);
         for (i, pixel) in layer.pixels.iter().enumerate() {
             assert_eq!(pixel[3] != 0, i % 64 < 25, "pixel {i}");
         }
@@ -469,13 +489,14 @@ mod tests {
     #[test]
     fn slivers_still_have_a_colour() {
         let sliver = mesh(&[(5.0, 10.1), (50.0, 10.1), (50.0, 10.3), (5.0, 10.3)], &[[0, 1, 2], [0, 2, 3]]);
-        let mut layer = Layer::new([0, 0], 64, 64);
-        layer.draw(&sliver, &VIEW);
+        let sliver = PlacedMesh::new(&sliver, &VIEW);
+        let mut layer = Layer::new(Window::whole(64, 64));
+        layer.draw(&sliver);
         assert!(layer.pixels.iter().all(|p| p[3] == 0));
         let row = 64 - 11;
         let coverage: Vec<u8> =
             (0..64 * 64).map(|i| if i / 64 == row && (5..50).contains(&(i % 64)) { 51 } else { 0 }).collect();
-        layer.complete(&coverage, &sliver, &VIEW);
+        layer.complete(&coverage, &sliver);
         assert!((5..50).all(|x| layer.pixels[row * 64 + x][3] == 255));
     }
 }

@@ -3,28 +3,34 @@
 //! Geometry is in document units with y up; stroke widths, radii and dashes are in CSS pixels, so they keep their size when the
 //! view is zoomed. One [`DisplayList`] serves both painters, so a picture and its SVG export show the same things.
 
+mod blend;
 mod clip;
+mod coverage;
+mod dash;
 mod error;
 mod figure;
 mod grid;
+mod lines;
 mod list;
 mod mesh;
 mod options;
-mod raster;
+mod painting;
 mod scalar;
 mod shade;
+mod shape;
+mod strip;
 mod svg;
 mod svg_shade;
 mod theme;
-mod thin;
 mod viewport;
+mod window;
 
 pub use error::PaintError;
 pub use figure::{FigureOptions, figure};
 pub use grid::{GridStep, grid_step};
 pub use list::{DisplayList, Item, Layer, Mesh, Path, StrokeStyle};
 pub use options::PictureOptions;
-pub use raster::paint;
+pub use painting::{Painting, paint};
 pub use scalar::viridis;
 pub use svg::to_svg;
 pub use theme::{Cased, Theme};

@@ -1,7 +1,7 @@
 //! Options of a picture as a caller gives them.
 
 use super::{FigureOptions, Margins, Theme, Viewport};
-use crate::document::{DocumentError, Json, LayerName, Model, Node, View, layers};
+use crate::document::{Code, DocumentError, Json, LayerName, Model, Node, View, layers};
 use glam::DVec2;
 
 /// Size, view and content of a picture as a caller asks for them; see `docs/api.md`.
@@ -18,6 +18,7 @@ pub struct PictureOptions {
     /// `Some(None)` hides the current in-between curve.
     s: Option<Option<f64>>,
     line: Option<usize>,
+    iso_material: Option<usize>,
 }
 
 /// Room along the sides of a fitted picture, in CSS pixels: handles and labels lie on the outermost control points.
@@ -30,7 +31,18 @@ impl PictureOptions {
     /// When a field is unknown, missing, of the wrong type or out of range.
     pub fn read(options: &Json) -> Result<Self, DocumentError> {
         let root = Node::root(options, "options");
-        root.only(&["width", "height", "pixelRatio", "view", "layers", "theme", "background", "s", "line"])?;
+        root.only(&[
+            "width",
+            "height",
+            "pixelRatio",
+            "view",
+            "layers",
+            "theme",
+            "background",
+            "s",
+            "line",
+            "isoMaterial",
+        ])?;
         let side = |name| Ok(root.need(name)?.within(1.0..=4096.0)?.floor() as u32);
         let given = |name| Ok::<_, DocumentError>(root.get(name)?.filter(|node| !node.is_null()));
         let is_dark = root.get("theme")?.map_or(Ok(0), |n| n.choice(&["light", "dark"]))? == 1;
@@ -48,6 +60,7 @@ impl PictureOptions {
                 Some(node) => Some(Some(node.within(0.0..=1.0)?)),
             },
             line: given("line")?.map(|n| n.count()).transpose()?,
+            iso_material: given("isoMaterial")?.map(|n| n.count()).transpose()?,
         })
     }
 
@@ -78,6 +91,17 @@ impl PictureOptions {
         Viewport::fit(model.bounds(), self.width, self.height, self.pixel_ratio, Margins::all(FIT_MARGIN))
     }
 
+    /// Refuses what a document does not have.
+    ///
+    /// # Errors
+    /// When `isoMaterial` is not the index of a material.
+    pub fn check(&self, model: &Model) -> Result<(), DocumentError> {
+        let count = model.materials().len();
+        let Some(index) = self.iso_material.filter(|&index| index >= count) else { return Ok(()) };
+        let message = format!("{index} was found; expected the index of one of {count} materials");
+        Err(DocumentError::new(Code::Range, "options.isoMaterial", message))
+    }
+
     /// What to show of a document.
     #[must_use]
     pub fn figure(&self, model: &Model) -> FigureOptions {
@@ -89,6 +113,7 @@ impl PictureOptions {
             background: self.background,
             s: self.s.unwrap_or_else(|| view.and_then(|view| view.s)),
             line: self.line,
+            iso_material: self.iso_material.or_else(|| view.and_then(|view| view.iso_material)).unwrap_or(0),
         }
     }
 }

@@ -4,6 +4,7 @@ use super::StrokeStyle;
 use crate::material::Color;
 
 const WHITE: Color = Color::new(0xff, 0xff, 0xff);
+const BLACK: Color = Color::new(0, 0, 0);
 const INK: Color = Color::new(0x10, 0x12, 0x16);
 
 /// A line drawn over a wider one, so that it shows on every colour.
@@ -27,6 +28,10 @@ pub struct Theme {
     pub grid_major: StrokeStyle,
     /// In-between curves.
     pub in_between: StrokeStyle,
+    /// Lines of equal fraction of a material, at every second tenth.
+    pub iso: StrokeStyle,
+    /// Lines of equal fraction at the tenths between.
+    pub iso_minor: StrokeStyle,
     /// Ruling lines.
     pub ruling_line: StrokeStyle,
     /// The in-between curve at the current s.
@@ -105,6 +110,8 @@ impl Theme {
             grid_minor: StrokeStyle::solid(1.0, grid, minor),
             grid_major: StrokeStyle::solid(1.0, grid, major),
             in_between: StrokeStyle::solid(1.0, WHITE, 0.8),
+            iso: StrokeStyle::solid(1.0, BLACK, 0.55),
+            iso_minor: StrokeStyle::solid(0.75, BLACK, 0.3),
             ruling_line: StrokeStyle::solid(0.75, INK, 0.5),
             current: Cased { halo, line: StrokeStyle::solid(1.75, INK, 1.0) },
             boundary: StrokeStyle::solid(2.0, ink, 1.0),

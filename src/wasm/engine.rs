@@ -1,16 +1,16 @@
 //! The functions of the module.
 
+use super::clock;
 use super::error::to_js;
 use super::json::parse;
-use super::results::{MatchResult, ViewResult, cells, probe, stages};
-use crate::document::{self, Code, CurvesDocument, DocumentError, Solution, Solve};
-use crate::picture::{DisplayList, PictureOptions, Viewport, figure, paint, to_svg};
+use super::painting::Painting;
+use super::results::{MatchResult, ViewResult, cells, isolines, probe, stages, to_value};
+use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Solution, Solve};
+use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure, to_svg};
 use glam::DVec2;
-use js_sys::{Object, Reflect, Uint8ClampedArray};
-use serde::Serialize;
 use std::collections::VecDeque;
 use std::rc::Rc;
-use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};
+use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 /// Solved documents that are kept: several figures of a page take turns.
 const KEPT: usize = 4;
@@ -66,22 +66,26 @@ impl Engine {
         to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, count)))
     }
 
+    /// Lines of equal fraction of a material.
+    pub fn isolines(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        let options = parse(options)
+            .and_then(|options| IsoOptions::read(&options, solution.model.materials().len()))
+            .map_err(|e| to_js(&e))?;
+        to_value(&solution.band().map(|band| isolines(band, &options)))
+    }
+
     /// What the band holds at a point.
     pub fn probe(&mut self, text: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
         to_value(&probe(&solution, DVec2::new(x, y)))
     }
 
-    /// Pixels of the picture.
-    pub fn paint(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
+    /// The picture, to be painted in steps.
+    pub fn painting(&mut self, text: &str, options: &str) -> Result<Painting, JsValue> {
         let (_, viewport, list) = self.picture(text, options)?;
-        let pixels = paint(&list, &viewport).map_err(|e| refused_picture(&e.to_string()))?;
-        let result = Object::new();
-        Reflect::set(&result, &"width".into(), &viewport.width.into())?;
-        Reflect::set(&result, &"height".into(), &viewport.height.into())?;
-        Reflect::set(&result, &"data".into(), &Uint8ClampedArray::from(pixels.as_slice()))?;
-        Reflect::set(&result, &"view".into(), &to_value(&ViewResult::from(viewport))?)?;
-        Ok(result.into())
+        let strips = picture::Painting::new(&list, &viewport).map_err(|e| refused_picture(&e.to_string()))?;
+        Ok(Painting::new(strips, viewport))
     }
 
     /// The picture as SVG.
@@ -121,6 +125,7 @@ impl Engine {
         let options =
             parse(options).and_then(|options| PictureOptions::read(&options)).map_err(|e| to_js(&e))?;
         let solution = self.solve(text)?;
+        options.check(&solution.model).map_err(|e| to_js(&e))?;
         let viewport = options.viewport(&solution.model);
         let list = figure(&solution, &options.figure(&solution.model), &viewport);
         Ok((solution, viewport, list))
@@ -159,12 +164,6 @@ fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::read(&parse(text)?)
 }
 
-/// The clock of the host.
-fn clock() -> web_sys::Performance {
-    let performance = Reflect::get(&js_sys::global(), &"performance".into());
-    performance.unwrap_or(JsValue::UNDEFINED).unchecked_into()
-}
-
 fn refused_picture(message: &str) -> JsValue {
     to_js(&DocumentError::new(Code::Range, "options", message))
 }
@@ -187,9 +186,4 @@ fn describe(solution: &Solution) -> String {
         }
         .to_owned(),
     }
-}
-
-fn to_value<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
-    let serializer = serde_wasm_bindgen::Serializer::new().serialize_missing_as_null(true);
-    value.serialize(&serializer).map_err(JsValue::from)
 }

@@ -5,13 +5,23 @@
 
 mod engine;
 mod error;
+#[cfg(feature = "import")]
+mod import;
 mod json;
+mod painting;
 mod results;
 
-use wasm_bindgen::prelude::wasm_bindgen;
+use js_sys::Reflect;
+use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};
 
 /// Runs once when the module is loaded: a panic then says on the console where it happened before the module traps.
 #[wasm_bindgen(start)]
 fn start() {
     console_error_panic_hook::set_once();
+}
+
+/// The clock of the host.
+fn clock() -> web_sys::Performance {
+    let performance = Reflect::get(&js_sys::global(), &"performance".into());
+    performance.unwrap_or(JsValue::UNDEFINED).unchecked_into()
 }

@@ -1,11 +1,12 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
-use crate::document::{Diagnostic, DocumentError, Outcome, Solution};
+use crate::document::{Diagnostic, DocumentError, IsoOptions, Outcome, Solution};
 use crate::matching::{Matching, OneToOne, Problem, RulingLine, Totals};
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
+use wasm_bindgen::prelude::JsValue;
 
 #[derive(Serialize)]
 pub(super) struct MatchResult {
@@ -46,8 +47,16 @@ struct PairResult {
 
 #[derive(Serialize)]
 struct TotalsResult {
+    growth: Option<GrowthTotals>,
     lines: Option<LineTotals>,
     pairs: Option<LineTotals>,
+}
+
+/// The lines that the growth accepted, before redundant ones are removed.
+#[derive(Serialize)]
+struct GrowthTotals {
+    count: usize,
+    sum: f64,
 }
 
 #[derive(Serialize)]
@@ -148,6 +157,7 @@ impl MatchResult {
                 .band()
                 .map_or_else(Vec::new, |band| band.lines().map(|ruling| [ruling.u, ruling.v]).collect()),
             totals: TotalsResult {
+                growth: matched.map(|(_, matching, _)| growth_totals(matching)),
                 lines: matched.map(|(_, matching, _)| line_totals(&matching.totals)),
                 pairs: pairs.map(|pairs| line_totals(&pairs.totals)),
             },
@@ -162,6 +172,11 @@ fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
         .iter()
         .map(|line| LineResult { from: line.from, to: line.to, value: line.value, visible: visible(line) })
         .collect()
+}
+
+fn growth_totals(matching: &Matching) -> GrowthTotals {
+    let growth = &matching.growth;
+    GrowthTotals { count: growth.len(), sum: growth.iter().map(|line| line.value).sum() }
 }
 
 fn pair_results(pairs: &OneToOne) -> Vec<PairResult> {
@@ -257,6 +272,20 @@ pub(super) fn cells(band: &Band, stages: usize) -> Vec<CellResult> {
     unit_cells(band, stages).into_iter().map(convert).collect()
 }
 
+/// Lines of equal fraction of a band as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of
+/// each point.
+pub(super) fn isolines(band: &Band, options: &IsoOptions) -> Vec<Vec<f64>> {
+    let mut flat = Vec::new();
+    for (k, &level) in options.levels.iter().enumerate() {
+        for line in band.iso_lines(options.material, level) {
+            let mut numbers = vec![k as f64, f64::from(u8::from(line.closed))];
+            line.points.iter().for_each(|point| numbers.extend([point.x, point.y]));
+            flat.push(numbers);
+        }
+    }
+    flat
+}
+
 /// What the band holds at a point, and the nearest ruling line; `None` outside the band or without one.
 pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
     let (band, (problem, lines, _)) = (solution.band()?, solution.lines()?);
@@ -276,6 +305,12 @@ pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
         from: first.points[ruling.from].to_array(),
         to: second.points[ruling.to].to_array(),
     })
+}
+
+/// A result as a value of the host.
+pub(super) fn to_value<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::new().serialize_missing_as_null(true);
+    value.serialize(&serializer).map_err(JsValue::from)
 }
 
 fn arrays(points: &[DVec2]) -> Vec<[f64; 2]> {

@@ -40,9 +40,47 @@ test("match gives samples, lines in cyclic order and totals that certify them", 
   assert.ok(totals.eta > 0.8 && totals.eta <= 1);
   assert.deepEqual([totals.crossings, totals.blocked, totals.uncovered], [0, 0, [[], []]]);
   assert.deepEqual([match.pairs, match.totals.pairs], [[], null]);
+  const { growth } = match.totals;
+  assert.ok(growth && growth.count > totals.count && growth.sum > totals.sum, "redundant lines are removed, and each had a value");
   const ascending = (/** @type {0 | 1} */ axis) =>
     match.reparameterisation.every((pair, k, all) => k === 0 || pair[axis] >= all[k - 1][axis]);
   assert.ok(ascending(0) && ascending(1));
+});
+
+test("one-to-one pairs ascend, are verified, and carry the band", () => {
+  const document = { ...amoeba, matching: { ...amoeba.matching, oneToOne: true } };
+  const match = dx.match(document);
+  const { pairs } = match;
+  assert.equal(match.ok, true);
+  assert.deepEqual(match.lines, dx.match(amoeba).lines, "the lines between samples stay");
+  assert.equal(pairs.length, match.lines.length);
+  assert.ok(pairs.every(({ u, v, verified }, k) => verified && (k === 0 || (u > pairs[k - 1].u && v > pairs[k - 1].v))));
+  assert.deepEqual(match.reparameterisation, pairs.map(({ u, v }) => [u, v]));
+  const totals = match.totals.pairs;
+  assert.ok(totals?.eta && totals.eta > 0.9 && totals.eta <= 1);
+  assert.deepEqual([totals.count, totals.crossings, totals.blocked, totals.uncovered], [pairs.length, 0, 0, [[], []]]);
+  const stages = dx.stages(document);
+  pairs.forEach(({ from, to }, k) => {
+    for (const [at, end] of /** @type {const} */ ([[stages[0].points[k], from], [stages[5].points[k], to]])) {
+      assert.ok(Math.hypot(at[0] - end[0], at[1] - end[1]) < 1e-9);
+    }
+  });
+  assert.equal(dx.cells(document).length, 5 * pairs.length);
+  const place = dx.probe(document, [45, 0]);
+  assert.ok(place);
+  assert.deepEqual([place.value, place.from, place.to], [pairs[place.line].value, pairs[place.line].from, pairs[place.line].to]);
+  assert.equal(dx.defaults(document).matching.oneToOne, true);
+});
+
+test("adaptive samples are spelt out and taken", () => {
+  const document = { ...amoeba, sampling: { scheme: /** @type {const} */ ("adaptive"), tolerance: 0.05 } };
+  const full = dx.defaults(document).sampling;
+  assert.deepEqual(full, { scheme: "adaptive", counts: [44, 44], tolerance: 0.05, maxTurn: 15, minCount: 12 });
+  const counts = dx.match(document).samples.map(({ parameters }) => parameters.length);
+  const coarse = dx.match({ ...amoeba, sampling: { ...full, tolerance: 1, maxTurn: 40 } });
+  assert.ok(coarse.samples.every(({ parameters }, k) => parameters.length >= 12 && parameters.length < counts[k]));
+  const codes = dx.match({ ...amoeba, sampling: { ...full, maxTurn: 1, tolerance: 1e-9 } }).diagnostics;
+  assert.deepEqual(codes.map(({ code, curve }) => [code, curve]), [["sample-limit", 0], ["sample-limit", 1]]);
 });
 
 test("stages, cells and probe agree with the lines", () => {
@@ -68,6 +106,22 @@ test("stages, cells and probe agree with the lines", () => {
   assert.equal(dx.probe(amoeba, [0, 0]), null);
 });
 
+test("isolines have the fraction that the probe reads", () => {
+  const lines = dx.isolines(amoeba, { material: 1, levels: [0.25, 0.5] });
+  assert.deepEqual(lines.map(({ level }) => level), [0.25, 0.5]);
+  for (const { level, lines: polylines, closed } of lines) {
+    assert.ok(polylines.length > 0 && closed.length === polylines.length);
+    for (const point of polylines.flat()) {
+      const fraction = dx.probe(amoeba, point)?.fractions[1];
+      assert.ok(fraction !== undefined && Math.abs(fraction - level) < 1e-6, `${fraction} for ${level}`);
+    }
+  }
+  assert.deepEqual(dx.isolines(amoeba).map(({ level }) => level), [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9]);
+  assert.equal(refused(() => dx.isolines(amoeba, { material: 3 })).path, "options.material");
+  assert.equal(refused(() => dx.isolines(amoeba, { levels: [2] })).path, "options.levels[0]");
+  assert.equal(refused(() => dx.paint(amoeba, { width: 9, height: 9, isoMaterial: 3 })).path, "options.isoMaterial");
+});
+
 test("pictures have the size asked for and show the view they say", () => {
   const picture = dx.paint(amoeba, { width: 320, height: 200 });
   assert.deepEqual([picture.width, picture.height, picture.data.length], [320, 200, 320 * 200 * 4]);
@@ -89,7 +143,7 @@ test("a drawing in progress shows what is there and says what is missing", () =>
     assert.equal(match.ok, false);
     assert.deepEqual(match.diagnostics.map(({ code }) => code), ["incomplete"]);
     assert.ok(match.diagnostics[0].message.startsWith(`${curves.length} of 2 curves`));
-    assert.deepEqual([match.totals, match.lines], [{ lines: null, pairs: null }, []]);
+    assert.deepEqual([match.totals, match.lines], [{ growth: null, lines: null, pairs: null }, []]);
     assert.deepEqual([match.samples.length, match.reversed.length], [curves.length, curves.length]);
     assert.deepEqual([dx.stages(document), dx.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
     assert.equal(dx.paint(document, { width: 60, height: 40 }).data.length, 60 * 40 * 4);
@@ -171,6 +225,29 @@ test("a job solves in steps and gives the same matching", () => {
   }
   assert.ok(steps > 1, `${steps} steps`);
   assert.equal(dx.match(document).ok, true);
+  const inserting = dx.job({ ...document, matching: { ...amoeba.matching, oneToOne: true } });
+  for (let state = inserting.step(1), last = 0; !state.done; last = state.progress, state = inserting.step(1)) {
+    assert.ok(state.progress >= last && state.progress < 1, `${last} to ${state.progress}`);
+  }
+});
+
+test("a job paints in steps and gives the same picture", () => {
+  const document = { ...amoeba, title: "painted in steps" };
+  const size = { width: 1500, height: 1100, pixelRatio: 2 };
+  const job = dx.job(document, { paint: size });
+  /** @type {number[]} */
+  const shares = [];
+  let state = job.step(0);
+  for (; !state.done; state = job.step(0)) {
+    assert.equal(state.picture, undefined);
+    shares.push(state.progress);
+  }
+  assert.ok(shares.length > 5 && shares.every((share, i) => share < 1 && share >= (shares[i - 1] ?? 0)), `${shares}`);
+  assert.deepEqual(state.picture, dx.paint(document, size));
+  assert.equal(job.step(0), state, "a job that is done stays so");
+  assert.equal(refused(() => dx.job(document, { paint: { ...size, width: 5000 } }).step(1000)).path, "options.width");
+  const crossed = { ...amoeba, curves: [amoeba.curves[1], amoeba.curves[1]] };
+  assert.ok(dx.job(crossed, { paint: size }).step(1000).progress > 0, "curves that cannot be matched are drawn");
 });
 
 test("both modules answer alike", async () => {

@@ -30,6 +30,9 @@ export function explain(document, { code, path = "", message, at }) {
   }
 }
 
+/** Remarks on a whole result that the person should act on. */
+const SHORTFALLS = ["unverified-gap", "sample-limit"];
+
 /**
  * What to do about a partial result, or null when it is whole.
  * @param {Match} match
@@ -38,8 +41,8 @@ export function advice({ ok, diagnostics, totals }) {
   const words = strings.advice;
   const [a, b] = totals.lines?.uncovered ?? [[], []];
   if (a.length + b.length > 0) return words.notCovered(a.length, b.length);
-  if (ok) return null;
-  const [first] = diagnostics;
+  // A whole result may still hold less than was asked for.
+  const [first] = ok ? diagnostics.filter(({ code }) => SHORTFALLS.includes(code)) : diagnostics;
   if (!first) return null;
   const known = /** @type {{[code: string]: unknown}} */ (words)[first.code];
   return typeof known === "string" ? known : first.message;

@@ -15,6 +15,18 @@ const LINES = {
   check: "m3 8.5 3.25 3.25L13 4.75",
   cross: "m4 4 8 8M12 4l-8 8",
   menu: "M2 4h12M2 8h12M2 12h12",
+  more: "M3.5 8h.01M8 8h.01M12.5 8h.01",
+  grid: "M2.5 5.75h11M2.5 10.25h11M5.75 2.5v11M10.25 2.5v11",
+  snap: "M3.25 2.75h3v5.5a1.75 1.75 0 0 0 3.5 0v-5.5h3v5.5a4.75 4.75 0 0 1-9.5 0ZM3.25 5.5h3M9.75 5.5h3",
+  turn: "M12.9 8.9A5 5 0 1 1 11.6 4.5M11.9 1.9v2.9H9",
+  "align-left": "M2.75 2.5v11M5.5 5.5h8M5.5 10.5h5",
+  "align-center": "M8 2.5v11M4 5.5h8M5.5 10.5h5",
+  "align-right": "M13.25 2.5v11M2.5 5.5h8M5.5 10.5h5",
+  "align-top": "M2.5 2.75h11M5.5 5.5v8M10.5 5.5v5",
+  "align-middle": "M2.5 8h11M5.5 4v8M10.5 5.5v5",
+  "align-bottom": "M2.5 13.25h11M5.5 2.5v8M10.5 5.5v5",
+  "align-across": "M2.75 2.5v11M13.25 2.5v11M8 5v6",
+  "align-down": "M2.5 2.75h11M2.5 13.25h11M5 8h6",
   panel: "M2.5 3.5h11v9h-11zM9.5 3.5v9",
 };
 

@@ -2,7 +2,8 @@
  * Starts the page: kernel, document, parts, and the loop that draws them from the state.
  *
  * @import { App, Results, Ui } from "./state/app.js"
- * @import { CurvesDocument, Kernel } from "./types.js"
+ * @import { Session } from "./state/session.js"
+ * @import { Kernel } from "./types.js"
  */
 import { connect } from "../../js/index.js";
 import { explain } from "./explain.js";
@@ -10,50 +11,53 @@ import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
 import { listenToDrop } from "./frame/drop.js";
-import { presetDocument, presets } from "./frame/gallery.js";
+import { openGallery } from "./frame/gallery.js";
 import { createSheet } from "./frame/sheet.js";
 import { listenToShortcuts } from "./frame/shortcuts.js";
 import { createSpeech } from "./frame/speech.js";
 import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
+import { firstPreset } from "./gallery/first.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
+import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
+import { createEmpty } from "./stage/empty.js";
 import { listenToKeys } from "./stage/handle-keys.js";
 import { createHandles } from "./stage/handles.js";
 import { createLegend } from "./stage/legend.js";
 import { createMorph } from "./stage/morph.js";
 import { listenToPointer } from "./stage/pointer.js";
 import { createProbe } from "./stage/probe.js";
+import { createReading } from "./stage/reading.js";
 import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
-import { handleCount } from "./state/edits.js";
+import { keyWithin } from "./state/composition.js";
 import { Record } from "./state/record.js";
+import { only, within } from "./state/selection.js";
 import { keep, restore } from "./state/session.js";
-import { Store } from "./state/store.js";
+import { originOf, Store } from "./state/store.js";
+import { createKeeper } from "./storage/keeper.js";
 import { strings } from "./strings.js";
-
-/** Layers a phone leaves out at first: at its scale the dots run into each other. */
-const CROWDED = "samples";
 
 const root = document.documentElement;
 
 /** @returns {Promise<void>} */
 async function start() {
-  const kernel = await connect({ module: "figure" });
-  const { document: first, edited, ui } = await firstDocument(kernel);
+  const kernel = await connect({ module: "full" });
+  const { document: first, edited, ui, kept } = await firstDocument(kernel);
   const store = new Store(first);
-  if (edited) store.open(first, true);
-  const app = assemble(kernel, store, ui);
+  store.open(first, edited, originOf(kept ? origin(kept) : {}));
+  const app = assemble(kernel, store, ui, kept);
   run(app);
 }
 
 /**
  * The document of the last visit when there is one, else the first preset.
  * @param {Kernel} kernel
- * @returns {Promise<{document: CurvesDocument, edited: boolean, ui: Partial<Ui>}>}
+ * @returns {Promise<Session>}
  */
 async function firstDocument(kernel) {
   const session = restore();
@@ -65,42 +69,54 @@ async function firstDocument(kernel) {
       // Kept by another version of the page that wrote what this one does not read.
     }
   }
-  const { document, ui } = splitView(await completed(kernel, presetDocument(presets[0]?.id ?? "")));
-  const phone = matchMedia("(width < 600px)").matches;
-  const layers = phone ? ui.layers.filter((name) => name !== CROWDED) : ui.layers;
-  return { document, edited: false, ui: { ...ui, layers } };
+  const { document, ui } = splitView(await completed(kernel, firstPreset));
+  return { document, edited: false, ui, kept: null };
 }
 
 /**
  * @param {Kernel} kernel
  * @param {Store} store
  * @param {Partial<Ui>} restored
+ * @param {Session["kept"]} kept
  * @returns {App}
  */
-function assemble(kernel, store, restored) {
+function assemble(kernel, store, restored, kept) {
   /** @type {Record<Ui>} */
   const ui = new Record({
-    selection: { curve: 1, point: 2 },
+    selection: only(1, 2),
     view: null,
     fitted: true,
     fitScale: 1,
     size: { width: 0, height: 0 },
     layers: [],
+    isoMaterial: 0,
+    stageLabels: false,
+    composing: false,
+    key: null,
     s: 0.4,
     playing: false,
+    unkept: false,
     theme: currentTheme(),
     probe: null,
     witness: null,
     note: null,
     open: FIRST_OPEN,
     tab: "matching",
+    snap: false,
+    drawing: false,
     ...restored,
   });
   /** @type {Record<Results>} */
   const results = new Record({ ...NO_RESULTS });
-  /** @type {App} */
-  const app = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {} };
+  const parts = { store, ui, results, kernel, say: createSpeech(), retry: () => {}, cancel: () => {}, tool: null };
+  const app = /** @type {App} */ (/** @type {unknown} */ (parts));
+  app.keeper = createKeeper(app, kept);
   return app;
+}
+
+/** What a reload keeps of where the document lives. @param {NonNullable<Session["kept"]>} kept */
+function origin({ id, stamp, file, modified }) {
+  return { id, stamp, file, modified };
 }
 
 /** Names the regions of the page. */
@@ -114,6 +130,10 @@ function nameRegions() {
   };
   for (const [id, name] of Object.entries(regions)) find(`#${id}`).setAttribute("aria-label", name);
 }
+
+/** Whether lines of the picture have names. @param {Readonly<Ui>} ui */
+const labelled = ({ layers, stageLabels }) =>
+  layers.includes("isoComposition") || (stageLabels && layers.includes("inBetweens"));
 
 /** @param {App} app */
 function run(app) {
@@ -131,11 +151,18 @@ function run(app) {
   const handles = createHandles(app);
   const probe = createProbe(app);
   const morph = createMorph(app);
+  const reading = createReading(app);
   const parts = [
     createCanvas(app),
+    reading,
     handles,
+    frameOf(app),
+    { render: () => app.tool?.render() },
+    createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose }),
     probe,
     createWitness(app),
+    later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
+    later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
     createLegend(app),
     createZoom(app),
     morph,
@@ -143,7 +170,7 @@ function run(app) {
     createInspector(app),
     createStatus(app),
   ];
-  listenToPointer(app, handles, probe);
+  listenToPointer(app, handles, probe, reading);
   listenToKeys(app, handles);
   listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
   listenToDrop(app);
@@ -152,6 +179,7 @@ function run(app) {
 
   const progress = find("#progress");
   let frame = 0;
+  let { document } = store;
   const draw = () => {
     frame = 0;
     for (const part of parts) part.render();
@@ -162,13 +190,16 @@ function run(app) {
   };
 
   store.subscribe(() => {
-    const { selection } = ui.value;
-    const last = selection ? handleCount(store.document.curves[selection.curve]) - 1 : 0;
+    if (store.document !== document) app.tool?.close();
+    ({ document } = store);
     ui.set({
       probe: null,
       witness: null,
       note: null,
-      ...(selection?.point != null && selection.point > last ? { selection: { ...selection, point: last } } : {}),
+      selection: within(ui.value.selection, document),
+      key: keyWithin(ui.value.key, document),
+      composing: ui.value.composing && document.curves.length > 0,
+      isoMaterial: Math.min(ui.value.isoMaterial, document.materials.length - 1),
     });
     schedule();
   });
@@ -191,6 +222,27 @@ function run(app) {
     if (ui.value.fitted || !ui.value.view) refit();
   }).observe(find("#stage"));
   schedule();
+}
+
+/**
+ * The frame round a selection, loaded when there is one to be framed.
+ * @param {App} app
+ */
+function frameOf(app) {
+  /** @type {Promise<{render: () => void}> | null} */
+  let coming = null;
+  /** @type {{render: () => void} | null} */
+  let frame = null;
+  return {
+    render() {
+      const { selection } = app.ui.value;
+      if (frame) frame.render();
+      else if (!coming && selection && selection.points.length !== 1) {
+        coming = import("./stage/frame.js").then(({ createFrame }) => (frame = createFrame(app)));
+        void coming.then((part) => part.render());
+      }
+    },
+  };
 }
 
 if (!root.dataset.plain) {

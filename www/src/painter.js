@@ -81,17 +81,18 @@ export function createPainter(app) {
 
   /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {
-    const { size, view, layers, theme, s, probe } = ui.value;
+    const { size, view, layers, theme, s, probe, isoMaterial, composing } = ui.value;
     const full = window.devicePixelRatio || 1;
     const moving = Math.min(full, Math.sqrt(MOVING_PIXELS / (size.width * size.height)));
     const most = LARGEST / Math.max(size.width, size.height);
     return {
       ...devicePixels(size, Math.min(most, fine ? full : moving)),
       ...(view ? { view } : {}),
-      layers,
+      layers: composing ? layers.filter((name) => name !== "controlPoints") : layers,
       theme,
       s,
       line: probe?.line ?? null,
+      isoMaterial,
     };
   }
 

@@ -2,15 +2,17 @@
  * Places on a curve for the pointer: where its outline runs on the screen and which parameter lies under a double
  * click. What the page shows as a result always comes from the kernel.
  *
- * @import { Curve, Point } from "./types.js"
+ * @import { Curve, Point, Shape } from "./types.js"
  */
 
-/** Chords drawn for one knot span. At 14 spans the outline is within a pixel of the curve. */
+/** Chords of one knot span, unless asked otherwise. At 14 spans the outline is within a pixel of the curve. */
 const CHORDS = 12;
+/** Part of the domain to either side over which a tangent is taken. */
+const NEAR = 1e-4;
 
 /**
  * The full knot vector with the control points it belongs to, repeated for a periodic curve.
- * @param {Curve} curve
+ * @param {Shape} curve
  * @returns {{knots: number[], points: Point[]}}
  */
 export function unrolled(curve) {
@@ -41,12 +43,28 @@ function clampedKnot(i, n, p) {
   return Math.min(Math.max(i - p, 0), n - p) / (n - p);
 }
 
+/** Outlines that were asked for: a curve is never changed in place. @type {WeakMap<Shape, {u: number, at: Point}[]>} */
+const outlines = new WeakMap();
+
 /**
  * The outline as a chain of chords with the parameter of every vertex, seam at both ends.
- * @param {Curve} curve
+ * @param {Shape} curve
+ * @param {number} [chords] of one knot span
  * @returns {{u: number, at: Point}[]}
  */
-export function outline(curve) {
+export function outline(curve, chords = CHORDS) {
+  if (chords !== CHORDS) return trace(curve, chords);
+  const known = outlines.get(curve) ?? trace(curve, chords);
+  outlines.set(curve, known);
+  return known;
+}
+
+/**
+ * @param {Shape} curve
+ * @param {number} chords
+ * @returns {{u: number, at: Point}[]}
+ */
+function trace(curve, chords) {
   const { knots, points } = unrolled(curve);
   const p = curve.degree;
   /** @type {{u: number, at: Point}[]} */
@@ -55,12 +73,65 @@ export function outline(curve) {
     const a = /** @type {number} */ (knots[span]);
     const b = /** @type {number} */ (knots[span + 1]);
     if (!(b > a)) continue;
-    for (let i = chain.length === 0 ? 0 : 1; i <= CHORDS; i += 1) {
-      const u = a + ((b - a) * i) / CHORDS;
+    for (let i = chain.length === 0 ? 0 : 1; i <= chords; i += 1) {
+      const u = a + ((b - a) * i) / chords;
       chain.push({ u, at: deBoor(knots, points, p, span, u) });
     }
   }
   return chain;
+}
+
+/**
+ * A place on a curve by its fraction of the knot domain, and the outward unit normal there; at a corner the normal bisects.
+ * @param {Curve} curve
+ * @param {number} fraction
+ * @returns {{at: Point, normal: Point}}
+ */
+export function placeOn(curve, fraction) {
+  const [before, at, after] = [-NEAR, 0, NEAR].map((by) => pointAt(curve, fraction + by));
+  const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+  const length = Math.hypot(dx, dy) || 1;
+  const side = signedArea(outline(curve).map((vertex) => vertex.at)) < 0 ? -1 : 1;
+  return { at, normal: [(side * dy) / length, (-side * dx) / length] };
+}
+
+/**
+ * The fraction of the knot domain of the place on the outline nearest to a point.
+ * @param {Curve} curve
+ * @param {Point} target
+ */
+export function nearestFraction(curve, target) {
+  const { knots, points } = unrolled(curve);
+  const [low, high] = [knots[curve.degree], knots[points.length]];
+  return (nearestParameter(curve, target) - low) / (high - low);
+}
+
+/**
+ * Twice the area of a polygon, positive when it turns counter-clockwise.
+ * @param {Point[]} polygon
+ */
+export function signedArea(polygon) {
+  let area = 0;
+  polygon.forEach(([x, y], i) => {
+    const [nextX, nextY] = polygon[(i + 1) % polygon.length];
+    area += x * nextY - y * nextX;
+  });
+  return area;
+}
+
+/**
+ * @param {Curve} curve
+ * @param {number} fraction of the knot domain, past either end round the seam
+ * @returns {Point}
+ */
+function pointAt(curve, fraction) {
+  const { knots, points } = unrolled(curve);
+  const p = curve.degree;
+  const [low, high] = [knots[p], knots[points.length]];
+  const u = low + (fraction - Math.floor(fraction)) * (high - low);
+  let span = p;
+  while (span < points.length - 1 && knots[span + 1] <= u) span += 1;
+  return deBoor(knots, points, p, span, u);
 }
 
 /**

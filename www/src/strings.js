@@ -12,8 +12,162 @@ export const inSentence = (name) => (/^.\p{Ll}/u.test(name) ? `${name.charAt(0).
 /** @type {{[degree: number]: string}} */
 const DEGREES = { 2: "quadratic", 3: "cubic", 4: "quartic", 5: "quintic" };
 
+/** What stands in the shortcut sheet and in tooltips: names of commands and of what is not a key. */
+const commands = {
+  new: "New",
+  undo: "Undo",
+  redo: "Redo",
+  shortcuts: "Keyboard shortcuts",
+  about: "About Directrix",
+  fit: "Fit the figure",
+  zoomIn: "Zoom in",
+  zoomOut: "Zoom out",
+  pan: "Pan",
+  wheel: "Zoom about the pointer",
+  grid: "Grid",
+  snap: "Snap to the grid",
+  snapOn: "Snapping on",
+  snapOff: "Snapping off",
+  snapInvert: "Snap the other way while dragging",
+  play: "Play or pause the morph",
+  draw: "Draw a curve",
+  drawSecond: "Draw the second curve",
+  drawOver: (/** @type {string} */ curve) => `Draw ${inSentence(curve)} anew`,
+  drawPoint: "Set a point",
+  drawMove: "Move the crosshair; with Shift far, with Alt finely",
+  drawBack: "Take the last point back",
+  drawClose: "Close the curve",
+  drawCancel: "Give up the drawing",
+  selectAll: "All points of the curve",
+  selectCurve: "Whole curve",
+  selectAdd: "Add a point or take it out",
+  selectBox: "Points in a box",
+  nextPoint: "Next and previous point",
+  extend: "Add the next or previous point",
+  nudge: "Move what is selected",
+  nudgeFar: "Ten times as far, a tenth",
+  takeBack: "Take the move back",
+  insertPoint: "Add point",
+  deletePoints: (/** @type {number} */ count) => (count === 1 ? "Remove point" : `Remove ${count} points`),
+  duplicatePoint: "Double point",
+  duplicateCurve: "Duplicate curve, nested",
+  copyOver: (/** @type {string} */ curve) => `Copy over ${inSentence(curve)}`,
+  rename: "Rename curve",
+  swap: "Swap the two curves",
+  reverse: "Reverse direction",
+  smooth: "Smooth corners",
+  deleteCurve: "Delete curve",
+  menu: "Commands for what is there",
+  frameScale: "Scale by a handle of the frame",
+  frameProportion: "Keep the proportion; turn in steps of 15°",
+  frameCentre: "Scale about the centre",
+  frameTurn: "Turn by 1°; with Shift 10°, with Alt 0.1°",
+  frameNext: "Next and previous handle of the frame",
+  readLine: "Next and previous ruling line",
+  readAlong: "Along the line",
+  readClose: "Close the reading",
+  fieldStep: "Step",
+  fieldFar: "Ten steps, a tenth",
+  fieldCommit: "Commit",
+  fieldRestore: "Restore",
+  needsTwo: "It needs two curves",
+  needsCurve: "Select a curve first",
+  noCorners: "It has no corner",
+  click: "Click",
+  doubleClick: "Double click",
+  doubleClickCurve: "Double click on a curve",
+  rightClick: "Right click or long press",
+  shiftClick: "Shift+Click",
+  shiftDrag: "Shift+Drag",
+  altDrag: "Alt+Drag",
+  modDrag: "Ctrl+Drag",
+  dragCanvas: "Drag",
+  dragHandle: "Drag",
+  turnWheel: "Wheel",
+  arrows: "Arrows",
+};
+
 export const strings = {
   app: "Directrix",
+  commands,
+
+  topics: {
+    document: "Document",
+    view: "View and grid",
+    draw: "Drawing",
+    select: "Selection",
+    points: "Points and curves",
+    frame: "Frame of a selection",
+    reading: "Reading of ruling lines",
+    fields: "Number fields",
+  },
+
+  draw: {
+    region: "Drawing",
+    mode: "How to draw",
+    points: "Points",
+    freehand: "Freehand",
+    replaces: (/** @type {string} */ curve) => `This replaces the ${inSentence(curve)} curve and keeps its composition.`,
+    start: "Click to set the first point.",
+    more: (/** @type {number} */ missing) => `Click on; ${plural(missing, "more point", "more points")} to close.`,
+    close: "Click on, or close with Enter, a double click or a click on the first point.",
+    touchStart: "Tap to set the first point.",
+    touchMore: (/** @type {number} */ missing) => `Tap on; ${plural(missing, "more point", "more points")} to close.`,
+    touchClose: "Tap on, or close with a tap on the first point.",
+    stroke: "Press, draw one closed line, and let go.",
+    tooShort: "That line is too short. Press and draw once round.",
+    fitting: "Fitting a curve to the line",
+    flat: "These points lie on one line. Set one beside it.",
+    back: "Back",
+    finish: "Close",
+    cancel: "Cancel",
+    keyboard: "Canvas for drawing",
+    help:
+      "Arrow keys move the crosshair, with Shift far, with Alt finely. Space sets a point, Backspace takes the last one " +
+      "back, Enter closes the curve, Escape gives up.",
+    cross: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}, y ${y}`,
+    set: (/** @type {number} */ count, /** @type {string} */ x, /** @type {string} */ y) => `Point ${count}, x ${x}, y ${y}`,
+    taken: (/** @type {number} */ left) => `Point taken back, ${left} left`,
+    done: (/** @type {string} */ curve, /** @type {number} */ points) =>
+      `Drew ${inSentence(curve)} with ${plural(points, "control point", "control points")}`,
+    gaveUp: "Drawing given up",
+  },
+
+  empty: {
+    line: "Draw two closed curves, one inside the other, or start from something ready.",
+    gallery: "Gallery",
+    import: "Import",
+  },
+
+  frame: {
+    group: (/** @type {string} */ curve) => `Frame of ${curve}`,
+    help:
+      "Arrow keys drag a handle of the frame or turn it, with Shift ten times as far, with Alt a tenth. Page up and page " +
+      "down go from handle to handle, Escape takes the change back.",
+    turn: "Turn",
+    scale: {
+      nw: "Scale at the upper left",
+      n: "Scale at the top",
+      ne: "Scale at the upper right",
+      e: "Scale at the right",
+      se: "Scale at the lower right",
+      s: "Scale at the bottom",
+      sw: "Scale at the lower left",
+      w: "Scale at the left",
+    },
+    turned: (/** @type {string} */ degrees) => `Turned by ${degrees}°`,
+    scaled: (/** @type {string} */ x, /** @type {string} */ y) => (x === y ? `Scaled to ${x}` : `Scaled to ${x} across, ${y} up`),
+  },
+
+  about: {
+    heading: "About Directrix",
+    version: (/** @type {string} */ version) => `Version ${version}`,
+    line: "Matching of closed curves, morphs and material blends. Nothing leaves your machine.",
+    own: "Directrix itself: MIT or Apache-2.0, at your choice.",
+    parts: "What it is made of",
+    loading: "Reading the licences",
+    missing: "The licences are collected when the page is built; this is a development server.",
+  },
   workbench: "Curves",
   untitled: "Untitled",
 
@@ -22,9 +176,9 @@ export const strings = {
     title: "Document title",
     edited: "Edited",
     saved: "Saved",
-    undo: "Undo",
-    redo: "Redo",
+    unkept: "Not saved",
     gallery: "Gallery",
+    galleryItem: "Gallery…",
     file: "File",
     export: "Export",
     menu: "Menu",
@@ -37,12 +191,48 @@ export const strings = {
     open: "Open or import…",
     save: "Save",
     saveCopy: "Save a copy…",
+    recent: "Recent documents…",
     openKind: "Documents and drawings",
     saveKind: "Directrix document",
     chosen: "the file",
     saved: (/** @type {string} */ file) => `Saved ${file}`,
     copied: (/** @type {string} */ file) => `Saved a copy as ${file}`,
+    changedOutside: (/** @type {string} */ file) =>
+      `${file} was changed outside this page. Save again to replace it, or save a copy.`,
     notAllowed: "the page may not write to it",
+  },
+
+  storage: {
+    copyOf: (/** @type {string} */ title) => `${title} (copy)`,
+    openElsewhere: (/** @type {string} */ title) => `${title} is open in another tab. This is a copy.`,
+    changedElsewhere: (/** @type {string} */ title) => `${title} was changed in another tab. This is a copy.`,
+    gone: "it is no longer there",
+    /** Why nothing was kept, by the name of the browser's error. */
+    problem: (/** @type {string} */ name) =>
+      name === "QuotaExceededError"
+        ? "This browser has no room left to keep the document. Save it to a file."
+        : "This browser does not keep the document here. Save it to a file.",
+  },
+
+  recent: {
+    heading: "Recent documents",
+    deleted: "Deleted",
+    empty: "Nothing yet. A document is listed here once it is edited, saved or opened from a file.",
+    where:
+      "Documents are kept by this browser on this machine, and nowhere else. Deleted ones stay for 30 days, at most 20 of them.",
+    here: "open here",
+    elsewhere: "open in another tab",
+    noFile: "not in a file",
+    versionsOf: (/** @type {string} */ title) => `Earlier versions of ${title}`,
+    kinds: { saved: "as saved", kept: "before later edits" },
+    delete: (/** @type {string} */ title) => `Delete ${title}`,
+    gone: (/** @type {string} */ title) => `Deleted ${title}`,
+    undo: "Undo",
+    since: (/** @type {string} */ when) => `deleted ${when}`,
+    restore: "Restore",
+    restored: (/** @type {string} */ title) => `Restored ${title}`,
+    erase: "Delete for good",
+    erased: (/** @type {string} */ title) => `Deleted ${title} for good`,
   },
 
   exports: {
@@ -53,11 +243,11 @@ export const strings = {
 
   canvas: {
     region: "Figure",
-    picture: (/** @type {string} */ title) => `${title}: two curves, their ruling lines and the material between them`,
-    zoomIn: "Zoom in",
-    zoomOut: "Zoom out",
-    fit: "Fit the figure (F)",
-    zoom: "Zoom",
+    picture: (/** @type {string} */ title, /** @type {number} */ curves) =>
+      `${title}: ${["no curve yet", "one curve", "two curves, their ruling lines and the material between them"][curves]}`,
+    menu: "Commands",
+    pointer: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}  y ${y}`,
+    zoom: "Zoom and grid",
     probe: "Ruling lines",
     probeHelp: "Left and right go from one ruling line to the next, up and down along it. Escape closes the reading.",
     drop: "Drop a document to open it",
@@ -83,17 +273,48 @@ export const strings = {
     outer: "Outer",
     shape: (/** @type {number} */ degree, /** @type {number} */ points) =>
       `${DEGREES[degree] ?? `degree ${degree}`} · ${plural(points, "point", "points")}`,
-    phrase: (/** @type {number} */ a, /** @type {number} */ b) => `${a} and ${b} points`,
+    phrase: (/** @type {number[]} */ counts) =>
+      counts.length === 1 ? plural(counts[0], "point", "points") : counts.length === 0 ? "none" : `${counts.join(" and ")} points`,
+    one: "Curve",
+    none: "No curve yet.",
+    several: (/** @type {number} */ count) => plural(count, "point", "points"),
     point: (/** @type {string} */ name) => `Point ${name}`,
     center: "Centre",
     name: "Name, height",
     nameField: "Curve name",
     height: "Height",
-    add: "Add point",
-    addHelp: "Add a control point, keeping the shape",
-    remove: "Remove point",
-    removeHelp: "Remove the selected control point",
     removeNone: "Select a control point first",
+    more: "More commands",
+    turnScale: "Turn, scale",
+    turn: "Turn by degrees",
+    scale: "Scale in percent",
+    degree: "Degree",
+    degreeRange: (/** @type {number} */ most) => `With these points the degree is at most ${most}`,
+    align: "Align",
+    spread: "Spread",
+    alignments: {
+      left: "Align at the left",
+      center: "Align at the middle across",
+      right: "Align at the right",
+      top: "Align at the top",
+      middle: "Align at the middle of the height",
+      bottom: "Align at the bottom",
+      across: "Spread evenly across",
+      down: "Spread evenly up and down",
+    },
+    corners: (/** @type {number} */ count) => plural(count, "corner", "corners"),
+    smooth: "Smooth",
+    smoothed: (/** @type {string} */ curve, /** @type {number} */ points) =>
+      `${curve} is smooth now, with ${plural(points, "control point", "control points")}`,
+    doubled: (/** @type {string} */ name) => `Doubled ${name}`,
+    copied: (/** @type {string} */ curve) => `Copied to ${inSentence(curve)}`,
+    swapped: "Swapped the two curves",
+    reversed: (/** @type {string} */ curve) => `Reversed ${inSentence(curve)}`,
+    deleted: (/** @type {string} */ curve) => `Deleted ${inSentence(curve)}`,
+    selected: (/** @type {number} */ count) => `${plural(count, "point", "points")} selected`,
+    noneInBox: "No point in the box",
+    addPoint: "Add to the selection",
+    dropPoint: "Take out of the selection",
   },
 
   sampling: {
@@ -101,7 +322,16 @@ export const strings = {
     scheme: "Scheme",
     arcLength: "Arc length",
     parameter: "Parameter",
+    adaptive: "Adaptive",
     counts: "Samples",
+    tolerance: "Tolerance",
+    toleranceField: (/** @type {string} */ unit) => `Greatest distance from the chords, ${unit}`,
+    maxTurn: "Greatest turn",
+    degrees: "°",
+    minCount: "Fewest",
+    maxTurnField: "Greatest turn from one sample to the next, degrees",
+    minCountField: "Fewest samples of a curve",
+    taken: (/** @type {number} */ a, /** @type {number} */ b) => `${a} : ${b}`,
     count: (/** @type {string} */ curve) => `Samples on ${curve}`,
     phrase: (/** @type {string} */ scheme, /** @type {number} */ a, /** @type {number} */ b) =>
       `${scheme} · ${a} : ${b}`,
@@ -120,12 +350,25 @@ export const strings = {
     signed: "Signed",
     clamp: "Clamp",
     half: "Half",
+    lines: "Lines",
+    oneToOne: "one to one",
     phrase: (/** @type {string} */ normal, /** @type {string} */ distance) => `greedy · ${normal}, ${distance}`,
+  },
+
+  correspondence: {
+    over: "over",
+    pairs: (/** @type {number} */ count) => plural(count, "one-to-one line", "one-to-one lines"),
+    lines: (/** @type {number} */ count) => plural(count, "line", "lines"),
+    off: (/** @type {string} */ share) => `at most ${share} % off the diagonal`,
+    name: (/** @type {string} */ lines, /** @type {string} */ off, /** @type {number} */ gaps) =>
+      `Plot of v over u for ${lines}: v rises with u all round and departs from equal shares of the parameters by at most ${off} %` +
+      (gaps > 0 ? `; ${plural(gaps, "gap keeps", "gaps keep")} lines that share ends.` : "."),
   },
 
   blend: {
     heading: "Blend",
     stages: "Stages",
+    names: "Names on the in-betweens",
     phrase: (/** @type {number} */ stages) => `${plural(stages, "stage", "stages")} · Oklab`,
   },
 
@@ -134,8 +377,20 @@ export const strings = {
     color: (/** @type {string} */ name) => `Colour of ${name}`,
     name: (/** @type {number} */ index) => `Name of material ${index + 1}`,
     on: (/** @type {string} */ curve, /** @type {string} */ name) => `${curve} curve: ${name}`,
-    add: "Add material",
-    remove: (/** @type {string} */ name) => `Remove ${name}`,
+    add: "Add",
+    details: (/** @type {string} */ name) => `Colour, order and removal of ${name}`,
+    palette: ["Yellow", "Green", "Blue", "Orange", "Sky", "Vermilion", "Purple", "Silver"],
+    void: "Empty space",
+    up: "Up",
+    down: "Down",
+    moved: (/** @type {string} */ name, /** @type {number} */ place, /** @type {number} */ of) =>
+      `${name} is material ${place} of ${of}`,
+    removeWord: "Remove",
+    removed: (/** @type {string} */ name) => `Removed ${name}`,
+    onlyOne: "A document keeps at least one material",
+    replace: (/** @type {string} */ name) => `What replaces ${name}`,
+    replaceBy: "Replace by",
+    keep: "Keep it",
     fresh: (/** @type {number} */ index) => `Material ${index + 1}`,
     along: (/** @type {string} */ curve) => `composition along the ${inSentence(curve)} curve`,
     stops: (/** @type {number} */ count) => plural(count, "stop", "stops"),
@@ -144,6 +399,7 @@ export const strings = {
 
   layers: {
     heading: "Layers",
+    snap: "Snapping",
     phrase: (/** @type {number} */ shown, /** @type {number} */ all) => `${shown} of ${all}`,
     names: {
       material: "Material",
@@ -156,11 +412,51 @@ export const strings = {
       value: "Value",
       unitCells: "Unit cells",
       unconnected: "Unconnected",
+      isoComposition: "Equal mix",
     },
+    isoMaterial: "Equal mix of",
+    isoMaterialField: "Material of the lines of equal mix",
+  },
+
+  labels: {
+    share: (/** @type {string} */ name, /** @type {string} */ percent) => `${name} ${percent}`,
+  },
+
+  legend: {
+    more: (/** @type {number} */ count) => `and ${count} more`,
+  },
+
+  composition: {
+    toggle: "Edit on curve",
+    toggleHelp: "Edit the composition along the curves, on the curves themselves",
+    entered: "Composition keys are on the curves",
+    left: "Control points are on the curves",
+    group: (/** @type {string} */ curve) => `Composition along ${curve}`,
+    help:
+      "Arrow keys slide the key along the curve, with Shift ten times as far, with Alt a tenth. Page up and page down go to " +
+      "the previous and the next key. Insert adds a key after this one, Delete removes it, Escape takes the move back, and once more leaves the keys.",
+    key: (/** @type {number} */ index, /** @type {number} */ of, /** @type {string} */ curve) =>
+      `Key ${index} of ${of} on ${curve}`,
+    spoken: (/** @type {string} */ name, /** @type {string} */ at, /** @type {string} */ mix) => `${name}, at ${at}, ${mix}`,
+    place: "Place",
+    add: "Add key",
+    remove: "Remove key",
+    added: (/** @type {string} */ key) => `Added. ${key}`,
+    removed: (/** @type {string} */ key) => `Removed. ${key}`,
+    lastStays: "A curve keeps at least one key",
+  },
+
+  mixing: {
+    group: "Mix of materials",
+    bar: (/** @type {string} */ name) => `Share of ${name}`,
+    percent: (/** @type {string} */ name) => `Per cent of ${name}`,
+    triangle: "Mix of three materials",
+    share: (/** @type {string} */ name, /** @type {string} */ percent) => `${name} ${percent}`,
   },
 
   morph: {
     region: "Morph",
+    needsTwo: "The morph needs two curves",
     play: "Play",
     pause: "Pause",
     step: "Next stage",
@@ -176,6 +472,8 @@ export const strings = {
     cosine: "normals, cos",
     length: "length",
     spoken: (/** @type {string[]} */ parts) => parts.join(", "),
+    onCurve: (/** @type {string} */ curve) => `On ${inSentence(curve)}`,
+    at: "at",
   },
 
   status: {
@@ -187,6 +485,7 @@ export const strings = {
     crossings: "crossings",
     blocked: "blocked",
     uncovered: "uncovered",
+    gaps: "gaps kept",
     ms: "ms",
     show: (/** @type {string} */ what) => `Show ${what}`,
     heuristic: "heuristic, gap unknown",
@@ -197,6 +496,12 @@ export const strings = {
     loading: "Loading",
   },
 
+  incomplete: {
+    verdict: ["No curve yet", "One curve"],
+    reason: ["Draw a curve, or open something ready.", "A second one inside or round it makes the figure."],
+    crossed: "The curve crosses itself. Move a point, or undo.",
+  },
+
   advice: {
     notCovered: (/** @type {number} */ a, /** @type {number} */ b) =>
       `Not covered: ${a} + ${b} vertices. Raise the samples or move the curves apart.`,
@@ -205,6 +510,8 @@ export const strings = {
     disjoint: "No line connects the two curves. Move one nearer to the other.",
     crossing: "Some lines cross. Raise the samples.",
     "coarse-sampling": "The samples are too coarse for this shape. Raise them.",
+    "unverified-gap": "One-to-one lines do not fit everywhere: the gaps kept have lines that share ends. Raise the samples.",
+    "sample-limit": "A curve has all 1000 samples and would need more. Raise the tolerance or the turn.",
     corner: "A corner has no single normal; its bisector is used.",
     "opposed-normals": "Some lines join normals that point against each other.",
   },
@@ -237,6 +544,17 @@ export const strings = {
 
   panel: {
     close: "Close",
+  },
+
+  gallery: {
+    heading: "Gallery",
+    topics: {
+      shapes: "Shapes",
+      pockets: "Pockets",
+      measures: "Measures and limits",
+      materials: "Materials",
+    },
+    notMatchable: "No matching",
   },
 
   sheet: {

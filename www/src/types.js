@@ -15,18 +15,25 @@
  * @typedef {import("../../js/directrix.js").View} View
  * @typedef {import("../../js/directrix.js").Connection} Kernel
  *
- * @typedef {object} Curve
- * @property {string} [name]
+ * @typedef {object} Shape A curve without what it is made of.
  * @property {number} degree
  * @property {"periodic" | "clamped"} form
  * @property {Point[]} points
  * @property {number[]} [knots]
+ *
+ * @typedef {object} Named
+ * @property {string} [name]
  * @property {number} height
  * @property {CompositionKey[]} composition
  *
+ * @typedef {Shape & Named} Curve
+ *
  * @typedef {object} Sampling
- * @property {"arc-length" | "parameter"} scheme
+ * @property {"arc-length" | "parameter" | "adaptive"} scheme
  * @property {[number, number]} counts
+ * @property {number} [tolerance] of adaptive samples, as the two below
+ * @property {number} [maxTurn]
+ * @property {number} [minCount]
  *
  * @typedef {object} Matching
  * @property {"greedy"} method
@@ -45,6 +52,7 @@
  * @property {Point} [center]
  * @property {number} [span] document units across the shorter side of the picture
  * @property {number} [s]
+ * @property {number} [isoMaterial]
  *
  * @typedef {object} CurvesDocument
  * @property {1} directrix
@@ -52,7 +60,7 @@
  * @property {string} title
  * @property {string} unit
  * @property {Material[]} materials
- * @property {[Curve, Curve]} curves
+ * @property {Curve[]} curves two, or fewer while a drawing is in progress
  * @property {Sampling} sampling
  * @property {Matching} matching
  * @property {Blend} blend
@@ -62,7 +70,10 @@
  *
  * @typedef {object} Selection
  * @property {0 | 1} curve
- * @property {number | null} point index of a control point, or null for the whole curve
+ * @property {number[]} points ascending indices of control points; none for the whole curve
+ *
+ * @typedef {Probe & {boundary?: {curve: 0 | 1, at: number}}} Reading
+ *   What the probe shows; on a curve itself with the place on it, a fraction of its knot domain.
  *
  * @typedef {{code: string, path?: string, message: string, name?: string, at?: Point}} Problem
  *   What is left of a DirectrixError once it is shown.

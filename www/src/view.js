@@ -68,6 +68,25 @@ export function niceBelow(value) {
   return decade * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
 }
 
+/** Least distance of grid lines in pixels, as the kernel draws them. */
+const GRID = 48;
+
+/**
+ * The step of the grid: the smallest of 1, 2 and 5 times a power of ten that keeps its lines apart.
+ * @param {number} scale pixels for one unit
+ */
+export function gridStep(scale) {
+  const least = GRID / scale;
+  const exponent = Math.floor(Math.log10(least));
+  for (const power of [exponent, exponent + 1]) {
+    for (const factor of [1, 2, 5]) {
+      const step = power < 0 ? factor / 10 ** -power : factor * 10 ** power;
+      if (step >= least) return step;
+    }
+  }
+  return 10 ** (exponent + 2);
+}
+
 /**
  * The step of an arrow key: the power of ten nearest to a hundredth of the figure.
  * @param {CurvesDocument} document

@@ -12,14 +12,19 @@ import { toScreen } from "./view.js";
 /** Part of the canvas, from each edge, in which a witness is brought to the middle. */
 const MARGIN = 0.12;
 /** Diagnostics that carry the places of each certificate. */
-const CODES = { crossings: ["crossing"], blocked: ["blocked"], uncovered: ["orphan", "stuck", "disjoint"] };
+const CODES = {
+  crossings: ["crossing"],
+  blocked: ["blocked"],
+  uncovered: ["orphan", "stuck", "disjoint"],
+  gaps: ["unverified-gap"],
+};
 
 /** @type {{[name: string]: number}} */
 const turn = {};
 
 /**
  * @param {App} app
- * @param {"crossings" | "blocked" | "uncovered"} name
+ * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
  */
 export function nextWitness(app, name) {
   const match = currentMatch(app);
@@ -42,7 +47,7 @@ export function nextWitness(app, name) {
 
 /**
  * @param {Match} match
- * @param {"crossings" | "blocked" | "uncovered"} name
+ * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
  * @returns {Point[]}
  */
 function witnesses(match, name) {

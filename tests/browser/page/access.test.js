@@ -26,7 +26,7 @@ test("axe finds nothing wrong with all groups, a menu, an error and a reading op
   await page.keyboard.press("ArrowRight");
   await eventually(async () => assert.ok(await page.locator("#probe").isVisible()));
   assert.deepEqual(await audit(page), []);
-  await page.locator("[data-action=gallery]").click();
+  await page.locator("[data-action=export]").click();
   await eventually(async () => assert.ok(await page.locator("[role=menu]").isVisible()));
   assert.deepEqual(await audit(page), []);
 });
@@ -45,11 +45,11 @@ test("axe does find what is wrong", async (t) => {
   );
 });
 
-test("the order of Tab: bar, reading, inner curve, outer curve, morph, zoom, inspector", async (t) => {
+test("the order of Tab: bar, reading, inner curve, outer curve, morph, grid, zoom, inspector", async (t) => {
   const page = await openPage(t);
   await page.locator("[data-action=theme]").focus();
   const order = [];
-  for (let i = 0; i < 9; i += 1) {
+  for (let i = 0; i < 11; i += 1) {
     await page.keyboard.press("Tab");
     order.push(
       await page.evaluate(() => {
@@ -65,7 +65,7 @@ test("the order of Tab: bar, reading, inner curve, outer curve, morph, zoom, ins
       }),
     );
   }
-  assert.deepEqual(order, ["probe-keys", "A", "B", "play", "s", "minus", "plus", "fit", "curves"]);
+  assert.deepEqual(order, ["probe-keys", "A", "B", "play", "s", "grid", "snap", "minus", "plus", "fit", "curves"]);
 });
 
 test("focus is always seen", async (t) => {

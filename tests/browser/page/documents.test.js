@@ -103,25 +103,6 @@ test("leaving and coming back keeps the work", async (t) => {
   assert.deepEqual(await documentOf(page), document);
 });
 
-test("the gallery opens every preset with a verdict, and each is one of its own", async (t) => {
-  const page = await openPage(t);
-  await page.locator("[data-action=gallery]").click();
-  const names = await page
-    .locator("[role=menuitem]")
-    .evaluateAll((items) => items.map((item) => item.getAttribute("data-item") ?? ""));
-  assert.ok(names.length >= 4, `${names}`);
-  await page.keyboard.press("Escape");
-  const titles = new Set();
-  for (const name of names) {
-    await page.locator("[data-action=gallery]").click();
-    await page.locator(`[data-item="${name}"]`).click();
-    await eventually(async () => assert.ok(!titles.has(await field(page, "title").inputValue())));
-    titles.add(await field(page, "title").inputValue());
-    await eventually(async () => assert.equal(await page.locator("#status").getAttribute("data-verdict"), "verified"));
-    assert.equal(await page.locator("[data-state]").textContent(), "");
-  }
-});
-
 test("menus are left with Escape and gone through with arrows", async (t) => {
   const page = await openPage(t);
   const button = page.locator("[data-action=export]");

@@ -42,7 +42,7 @@ test("a field is dragged sideways, and one drag is one entry of the log", async 
   await eventually(async () => assert.ok((await documentOf(page)).matching.normalWeight > before));
   await page.keyboard.press("Control+z");
   await eventually(async () => assert.equal((await documentOf(page)).matching.normalWeight, before));
-  assert.ok(await page.locator("[data-action=undo]").isDisabled());
+  await eventually(async () => assert.ok(await page.locator("[data-action=undo]").isDisabled()));
 });
 
 test("sampling, stages and the mode for negative products reach the document", async (t) => {
@@ -88,6 +88,7 @@ test("a sweep of a slider is one entry of the log", async (t) => {
 
 test("materials: colour, name and the curve that holds them", async (t) => {
   const page = await openPage(t);
+  await page.locator("[data-swatch='0']").click();
   await page.locator("[data-color='0']").fill("#d55e00");
   await field(page, "material-0").fill("Rubber");
   await page.keyboard.press("Enter");
@@ -99,6 +100,7 @@ test("materials: colour, name and the curve that holds them", async (t) => {
   await page.locator("[data-action=add-material]").click();
   await eventually(async () => assert.equal((await documentOf(page)).materials.length, document.materials.length + 1));
   assert.equal((await documentOf(page)).curves[0].composition[0].mix.length, document.materials.length + 1);
+  await page.locator(`[data-swatch='${document.materials.length}']`).click();
   await page.locator(`[data-remove='${document.materials.length}']`).click();
   await eventually(async () => assert.deepEqual(await documentOf(page), document));
 });

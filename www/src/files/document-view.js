@@ -8,6 +8,8 @@ import { FIRST_LAYERS, LAYERS } from "../state/app.js";
 
 /** Place of the current in-between where a document names none. */
 const FIRST_S = 0.4;
+/** The layer that a phone leaves out at first: at its scale the dots run into each other. */
+const CROWDED = "samples";
 
 /**
  * The document without its view, and the view as the page keeps it.
@@ -18,9 +20,15 @@ export function splitView(document) {
   const layers = view?.layers?.filter((name) => LAYERS.some((layer) => layer === name));
   return {
     document: /** @type {CurvesDocument} */ (rest),
-    ui: { layers: layers ?? [...FIRST_LAYERS], s: view?.s ?? FIRST_S },
+    ui: { layers: layers ?? firstLayers(), s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0 },
     place: view?.center && view.span ? { center: view.center, span: view.span } : null,
   };
+}
+
+/** The layers shown where a document names none. */
+function firstLayers() {
+  const phone = matchMedia("(width < 600px)").matches;
+  return FIRST_LAYERS.filter((name) => !phone || name !== CROWDED);
 }
 
 /**
@@ -30,7 +38,7 @@ export function splitView(document) {
  * @returns {CurvesDocument}
  */
 export function documentWithView(app, document = app.store.document) {
-  const { view, layers, s, size } = app.ui.value;
+  const { view, layers, s, size, isoMaterial } = app.ui.value;
   const place = view ? { center: view.center, span: Math.min(size.width, size.height) / view.scale } : {};
-  return { ...document, view: { layers, s, ...place } };
+  return { ...document, view: { layers, s, ...(isoMaterial > 0 ? { isoMaterial } : {}), ...place } };
 }

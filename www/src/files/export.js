@@ -37,7 +37,7 @@ export async function exportAs(app, kind) {
 async function contents(app, kind) {
   const { document } = app.store;
   if (kind === "json") return new Blob([written(documentWithView(app))], { type: "application/json" });
-  const { size, view, layers, theme, s } = app.ui.value;
+  const { size, view, layers, theme, s, isoMaterial } = app.ui.value;
   const options = {
     ...devicePixels(size, kind === "png" ? EXPORT_RATIO : 1),
     ...(view ? { view } : {}),
@@ -45,6 +45,7 @@ async function contents(app, kind) {
     theme,
     s,
     line: null,
+    isoMaterial,
   };
   if (kind === "svg") return new Blob([await app.kernel.svg(document, options)], { type: "image/svg+xml" });
   const picture = await app.kernel.paint(document, options);

@@ -10,6 +10,7 @@
  */
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
+import { only, within } from "../state/selection.js";
 import { originOf } from "../state/store.js";
 import { strings } from "../strings.js";
 import { splitView } from "./document-view.js";
@@ -29,7 +30,7 @@ export async function openDocument(app, raw, name, { origin, edited = false } = 
     const { size } = app.ui.value;
     app.ui.set({
       ...ui,
-      selection: { curve: 1, point: 0 },
+      selection: within(only(1, 0), document),
       probe: null,
       witness: null,
       note: null,
@@ -79,7 +80,12 @@ export async function openFile(app, file, handle = null) {
     refuse(app, file.name, problem(error).message);
     return false;
   }
-  return openText(app, file.name, text, { origin: { file: file.name, handle } });
+  const { name, lastModified: modified } = file;
+  const { keptInFile } = await import("../storage/reopen.js");
+  const origin = { ...(await keptInFile(app, name, handle)), file: name, handle, modified };
+  const opened = await openText(app, name, text, { origin });
+  if (opened && app.store.origin.file === name) void app.keeper.keep();
+  return opened;
 }
 
 /**

@@ -2,6 +2,7 @@
  * Saves the open document: to its own file where the browser can write there, else as a download.
  *
  * @import { App } from "../state/app.js"
+ * @import { Origin } from "../state/store.js"
  * @import { FileHandle } from "./file-system.js"
  */
 import { problem } from "../painter.js";
@@ -19,14 +20,42 @@ import { written } from "./written.js";
  */
 export async function save(app) {
   const { document, origin } = app.store;
+  if (origin.handle && (await changedOutside(origin))) {
+    tell(app, "error", strings.file.changedOutside(origin.handle.name));
+    return false;
+  }
   const place = await write(app, origin.handle);
   if (!place) return false;
   if (app.store.origin === origin) {
     Object.assign(origin, place);
     app.store.kept(document);
+    void app.keeper.flush({ saved: true });
   }
   tell(app, "plain", strings.file.saved(place.file));
   return true;
+}
+
+/**
+ * Whether the file of a document is not as the page left it. Told once: the next Save replaces it.
+ * @param {Origin} origin
+ */
+async function changedOutside(origin) {
+  const modified = await lastModified(origin.handle);
+  if (modified === null || origin.modified === null || modified === origin.modified) return false;
+  origin.modified = modified;
+  return true;
+}
+
+/**
+ * When a file was last changed; null when that cannot be told.
+ * @param {FileHandle | null} handle
+ */
+async function lastModified(handle) {
+  try {
+    return (await handle?.getFile())?.lastModified ?? null;
+  } catch {
+    return null;
+  }
 }
 
 /**
@@ -43,7 +72,7 @@ export async function saveCopy(app) {
 /**
  * @param {App} app
  * @param {FileHandle | null} known where to write; null asks
- * @returns {Promise<{file: string, handle: FileHandle | null} | null>} null when nothing was written
+ * @returns {Promise<Pick<Origin, "file" | "handle" | "modified"> & {file: string} | null>} null when nothing was written
  */
 async function write(app, known) {
   const name = `${fileName(app.store.document.title)}.json`;
@@ -53,10 +82,10 @@ async function write(app, known) {
     if (handle === null) return null;
     if (handle === undefined) {
       download(blob, name);
-      return { file: name, handle: null };
+      return { file: name, handle: null, modified: null };
     }
     await writeTo(handle, blob);
-    return { file: handle.name, handle };
+    return { file: handle.name, handle, modified: await lastModified(handle) };
   } catch (error) {
     tell(app, "error", strings.errors.save(known?.name ?? name, problem(error).message.replace(/\.$/, "")));
     return null;

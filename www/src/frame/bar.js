@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Item } from "./menu.js"
  */
+import { commandText, commandTitle } from "../commands.js";
 import { textField } from "../controls/text-field.js";
 import { find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
@@ -11,7 +12,7 @@ import { exportAs } from "../files/export.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
-import { galleryItems } from "./gallery.js";
+import { openGallery } from "./gallery.js";
 import { mark } from "./mark.js";
 import { attachMenu } from "./menu.js";
 import { toggleTheme } from "./theme.js";
@@ -34,8 +35,8 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
-  const undo = iconButton("undo", icon("undo"), words.undo);
-  const redo = iconButton("redo", icon("redo"), words.redo);
+  const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
+  const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
   const theme = iconButton("theme", halfDisc(), words.toDark);
   const gallery = wordButton("gallery", words.gallery);
   const file = wordButton("file", words.file);
@@ -43,9 +44,12 @@ export function createBar(app) {
   const menu = iconButton("menu", icon("menu"), words.menu);
   const panel = iconButton("panel", icon("panel"), words.panel);
 
+  undo.title = commandTitle(app, "undo");
+  redo.title = commandTitle(app, "redo");
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
+  gallery.addEventListener("click", () => void openGallery(app));
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
 
@@ -56,13 +60,12 @@ export function createBar(app) {
       text: strings.exports[kind],
       act: () => void exportAs(app, kind),
     }));
-  attachMenu(gallery, () => galleryItems(app), { wide: true });
   attachMenu(file, () => fileItems(app, choose));
   attachMenu(exporting, exportItems);
   attachMenu(
     menu,
     () => [
-      ...galleryItems(app),
+      { name: "gallery", text: words.galleryItem, act: () => void openGallery(app) },
       "line",
       ...fileItems(app, choose),
       "line",
@@ -104,7 +107,7 @@ export function createBar(app) {
       const { store } = app;
       title.set(store.document.title || strings.untitled);
       title.input.size = Math.max(4, store.document.title.length);
-      write(state, store.edited ? words.edited : store.origin.file === null ? "" : words.saved);
+      write(state, stateWord(app));
       undo.disabled = !store.canUndo;
       redo.disabled = !store.canRedo;
       const label = themeLabel(app);
@@ -114,6 +117,15 @@ export function createBar(app) {
       if (document.title !== name) document.title = name;
     },
   };
+}
+
+/**
+ * What has become of the work: saved to a file, edited since and kept in this browser, or kept nowhere.
+ * @param {App} app
+ */
+function stateWord({ store, ui }) {
+  if (store.edited) return ui.value.unkept ? strings.bar.unkept : strings.bar.edited;
+  return store.origin.file === null ? "" : strings.bar.saved;
 }
 
 /** @param {App} app */

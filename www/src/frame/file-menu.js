@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Item } from "./menu.js"
  */
+import { commandItems } from "../commands.js";
 import { save, saveCopy } from "../files/save.js";
 import { strings } from "../strings.js";
 
@@ -15,8 +16,15 @@ import { strings } from "../strings.js";
 export function fileItems(app, choose) {
   const words = strings.file;
   return [
+    ...commandItems(app, ["new"]),
     { name: "open", text: words.open, keys: "Ctrl+O", act: choose },
     { name: "save", text: words.save, keys: "Ctrl+S", act: () => void save(app) },
     { name: "save-copy", text: words.saveCopy, keys: "Ctrl+Shift+S", act: () => void saveCopy(app) },
+    {
+      name: "recent",
+      text: words.recent,
+      act: () => void import("./recent-panel.js").then(({ showRecent }) => showRecent(app)),
+    },
+    ...commandItems(app, ["line", "shortcuts", "about"]),
   ];
 }

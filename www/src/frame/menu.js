@@ -1,7 +1,8 @@
 /**
- * A menu below a button: arrows go through it, Escape closes it and gives the focus back.
+ * A menu below a button or at a place of the screen: arrows go through it, Escape closes it and gives the focus back.
  */
 import { attribute, find, h } from "../dom.js";
+import { icon } from "../icons.js";
 import { keyName } from "./key-names.js";
 
 /**
@@ -11,7 +12,15 @@ import { keyName } from "./key-names.js";
  * @property {Node} [lead] what stands before the text
  * @property {string} [keys] that do the same, such as `Ctrl+Shift+S`
  * @property {string} name for the data attribute
+ * @property {boolean} [checked] for what is switched on and off
+ * @property {boolean} [disabled] shown, but not to be had; the second line says why
  * @property {() => void} act
+ *
+ * @typedef {object} Place
+ * @property {string} label
+ * @property {{left: number, top: number, bottom: number}} box where the menu goes: below, or above where there is no room
+ * @property {HTMLElement | null} [button] that opened it
+ * @property {boolean} [wide]
  */
 
 /** @type {(() => void) | null} */
@@ -23,38 +32,55 @@ let closeOpen = null;
  * @param {{wide?: boolean}} [options]
  */
 export function attachMenu(button, items, { wide = false } = {}) {
-  const menu = h("div", { class: wide ? "menu wide" : "menu", role: "menu", "aria-label": button.textContent ?? "" });
-  menu.dataset.furniture = "";
   button.setAttribute("aria-haspopup", "menu");
   button.setAttribute("aria-expanded", "false");
+  const label = button.textContent || (button.getAttribute("aria-label") ?? "");
+  const open = async () => openMenu(await items(), { label, box: button.getBoundingClientRect(), button, wide });
+  button.addEventListener("click", () => {
+    if (button.getAttribute("aria-expanded") === "true") closeOpen?.();
+    else void open();
+  });
+  button.addEventListener("keydown", (event) => {
+    if (event.key !== "ArrowDown" || button.getAttribute("aria-expanded") === "true") return;
+    event.preventDefault();
+    void open();
+  });
+}
 
-  async function open() {
-    closeOpen?.();
-    const list = await items();
-    menu.replaceChildren(...list.map((item) => (item === "line" ? h("div", { role: "separator" }) : entry(item))));
-    find("#bar").append(menu);
-    place(menu, button);
-    attribute(button, "aria-expanded", "true");
-    closeOpen = close;
-    addEventListener("pointerdown", outside, { capture: true });
-    addEventListener("resize", close);
-    choices()[0]?.focus();
-  }
+/**
+ * Opens a menu in place of any other.
+ * @param {(Item | "line")[]} items
+ * @param {Place} place
+ */
+export function openMenu(items, { label, box, button = null, wide = false }) {
+  closeOpen?.();
+  const before = button ?? document.activeElement;
+  const menu = h("div", { class: wide ? "menu wide" : "menu", role: "menu", "aria-label": label });
+  menu.dataset.furniture = "";
+  menu.replaceChildren(...items.map((item) => (item === "line" ? h("div", { role: "separator" }) : entry(item))));
+  find("#bar").append(menu);
+  settle(menu, box);
+  if (button) attribute(button, "aria-expanded", "true");
+  closeOpen = close;
+  addEventListener("pointerdown", outside, { capture: true });
+  addEventListener("resize", close);
+  const choices = /** @type {HTMLElement[]} */ ([...menu.querySelectorAll("[role^=menuitem]")]);
+  choices[0]?.focus();
 
   function close() {
     if (!menu.isConnected) return;
     const held = menu.contains(document.activeElement);
     menu.remove();
-    attribute(button, "aria-expanded", "false");
+    if (button) attribute(button, "aria-expanded", "false");
     closeOpen = null;
     removeEventListener("pointerdown", outside, { capture: true });
     removeEventListener("resize", close);
-    if (held) button.focus();
+    if (held && before instanceof Element) /** @type {HTMLElement} */ (before).focus({ preventScroll: true });
   }
 
   /** @param {PointerEvent} event */
   function outside(event) {
-    if (event.target instanceof Node && !menu.contains(event.target) && !button.contains(event.target)) close();
+    if (event.target instanceof Node && !menu.contains(event.target) && !button?.contains(event.target)) close();
   }
 
   /** @param {Item} item */
@@ -63,11 +89,14 @@ export function attachMenu(button, items, { wide = false } = {}) {
       "button",
       {
         type: "button",
-        role: "menuitem",
+        role: item.checked === undefined ? "menuitem" : "menuitemcheckbox",
         tabIndex: -1,
         "data-item": item.name,
         "aria-keyshortcuts": item.keys?.replace("Ctrl", "Control"),
+        "aria-checked": item.checked === undefined ? undefined : String(item.checked),
+        "aria-disabled": item.disabled ? "true" : undefined,
         onclick: () => {
+          if (item.disabled) return;
           close();
           item.act();
         },
@@ -80,27 +109,19 @@ export function attachMenu(button, items, { wide = false } = {}) {
         item.line ? h("span", { class: "menu-line" }, item.line) : null,
       ),
       item.keys ? h("span", { class: "menu-keys", "aria-hidden": "true" }, keyName(item.keys)) : null,
+      item.checked ? /** @type {any} */ (icon("check", 14)) : null,
     );
   }
 
-  const choices = () => /** @type {HTMLElement[]} */ ([...menu.querySelectorAll("[role=menuitem]")]);
-
-  button.addEventListener("click", () => (menu.isConnected ? close() : void open()));
-  button.addEventListener("keydown", (event) => {
-    if (event.key !== "ArrowDown" || menu.isConnected) return;
-    event.preventDefault();
-    void open();
-  });
   menu.addEventListener("keydown", (event) => {
-    const list = choices();
-    const here = list.findIndex((item) => item === document.activeElement);
+    const here = choices.findIndex((item) => item === document.activeElement);
     const target = {
-      ArrowDown: (here + 1) % list.length,
-      ArrowUp: (here + list.length - 1) % list.length,
+      ArrowDown: (here + 1) % choices.length,
+      ArrowUp: (here + choices.length - 1) % choices.length,
       Home: 0,
-      End: list.length - 1,
+      End: choices.length - 1,
     }[event.key];
-    if (target !== undefined) list[target]?.focus();
+    if (target !== undefined) choices[target]?.focus();
     else if (event.key === "Escape" || event.key === "Tab") close();
     else return;
     event.stopPropagation();
@@ -108,10 +129,15 @@ export function attachMenu(button, items, { wide = false } = {}) {
   });
 }
 
-/** @param {HTMLElement} menu @param {HTMLElement} button */
-function place(menu, button) {
-  const box = button.getBoundingClientRect();
+/**
+ * @param {HTMLElement} menu
+ * @param {Place["box"]} box
+ */
+function settle(menu, box) {
   const left = Math.min(box.left, innerWidth - menu.offsetWidth - 8);
+  const below = box.bottom + 6;
+  const fits = below + menu.offsetHeight <= innerHeight - 8;
+  const top = fits ? below : Math.max(8, Math.min(box.top - 6, innerHeight - 8) - menu.offsetHeight);
   menu.style.left = `${Math.max(8, left)}px`;
-  menu.style.top = `${box.bottom + 6}px`;
+  menu.style.top = `${top}px`;
 }

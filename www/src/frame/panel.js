@@ -20,10 +20,11 @@ let shown = null;
  * @param {string} options.heading
  * @param {(Node | string)[]} options.body
  * @param {boolean} [options.wide]
+ * @param {boolean} [options.tall] on a phone it takes the whole screen below the bar, not only the canvas
  * @param {() => void} [options.onclose] called once, however it is closed
  * @returns {Panel | null}
  */
-export function openPanel({ name, heading, body, wide = false, onclose }) {
+export function openPanel({ name, heading, body, wide = false, tall = false, onclose }) {
   const same = shown?.name === name;
   shown?.close();
   if (same) return null;
@@ -35,9 +36,10 @@ export function openPanel({ name, heading, body, wide = false, onclose }) {
     icon("cross", 14),
   );
   cross.dataset.close = name;
+  const cover = tall && matchMedia("(width < 600px)").matches;
   const element = h(
     "section",
-    { class: wide ? "panel wide" : "panel", "aria-labelledby": title.id, "data-panel": name, "data-furniture": "" },
+    { class: ["panel", wide && "wide", cover && "cover"].filter(Boolean).join(" "), "aria-labelledby": title.id, "data-panel": name, "data-furniture": "" },
     h("header", { class: "panel-head" }, title, cross),
     h("div", { class: "panel-body" }, ...body),
   );
@@ -51,10 +53,11 @@ export function openPanel({ name, heading, body, wide = false, onclose }) {
   };
   cross.addEventListener("click", close);
   element.addEventListener("keydown", (event) => {
-    event.stopPropagation();
+    // Keys of the figure are none here; those of the whole page, with Ctrl, are.
+    if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
     if (event.key === "Escape") close();
   });
-  find("#stage").append(element);
+  (cover ? document.body : find("#stage")).append(element);
   shown = { name, element, close };
   title.focus();
   return shown;

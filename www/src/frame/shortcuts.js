@@ -1,10 +1,15 @@
 /**
- * Keys of the whole page: open and save, undo and redo, fit, zoom, play.
+ * Keys of the whole page. All but those of files and of the morph come from the table of commands.
  *
  * @import { App } from "../state/app.js"
  */
+import { commandOf, runCommand } from "../commands.js";
 import { save, saveCopy } from "../files/save.js";
-import { fit, zoomBy } from "../stage/zoom.js";
+
+/** Commands that a text field leaves to the page, as long as nothing is being typed in it. */
+const PAST_FIELDS = ["undo", "redo"];
+/** Topics whose keys belong to the canvas: elsewhere Delete must not take a point away. */
+const ON_CANVAS = ["select", "points"];
 
 /**
  * @param {App} app
@@ -14,22 +19,18 @@ export function listenToShortcuts(app, { togglePlay, choose }) {
   addEventListener("keydown", (event) => {
     const target = event.target instanceof HTMLElement ? event.target : null;
     if (event.defaultPrevented) return;
-    if ((event.ctrlKey || event.metaKey) && !event.altKey) {
-      if (fileKey(event, target)) return;
-      if (target instanceof HTMLInputElement && target.type === "text" && target.value !== target.defaultValue) return;
-      const key = event.key.toLowerCase();
-      if (key === "z" && !event.shiftKey) app.store.undo();
-      else if (key === "y" || (key === "z" && event.shiftKey)) app.store.redo();
-      else return;
-      event.preventDefault();
-      return;
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && fileKey(event, target)) return;
+    const command = commandOf(event);
+    if (isText(target)) {
+      const typed = target instanceof HTMLInputElement && target.value !== target.defaultValue;
+      if (typed || !command || !PAST_FIELDS.includes(command.name)) return;
     }
-    if (event.altKey || event.metaKey || (target instanceof HTMLInputElement && target.type === "text")) return;
-    if (event.key === "f" || event.key === "F") void fit(app);
-    else if (event.key === "+" || event.key === "=") zoomBy(app, 1);
-    else if (event.key === "-") zoomBy(app, -1);
-    else if (event.key === " " && !hasOwnSpace(target)) togglePlay();
-    else return;
+    if (command) {
+      if (target instanceof HTMLSelectElement || (ON_CANVAS.includes(command.topic) && !isOnCanvas(target))) return;
+      runCommand(app, command.name);
+    } else if (event.key === " " && !hasOwnSpace(target) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+      togglePlay();
+    } else return;
     event.preventDefault();
   });
 
@@ -46,6 +47,13 @@ export function listenToShortcuts(app, { togglePlay, choose }) {
     return true;
   }
 }
+
+/** @param {HTMLElement | null} target */
+const isText = (target) =>
+  target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === "text");
+
+/** @param {HTMLElement | null} target */
+const isOnCanvas = (target) => !target || target === document.body || target.closest("#stage") !== null;
 
 /** Whether the space bar means something to the focused element itself. @param {HTMLElement | null} target */
 function hasOwnSpace(target) {

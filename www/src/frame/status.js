@@ -2,13 +2,15 @@
  * The status line: what the result is worth, and what to do where it fails.
  *
  * @import { App } from "../state/app.js"
- * @import { Match, Totals } from "../types.js"
+ * @import { Match } from "../types.js"
  */
+import { commandText, runCommand } from "../commands.js";
 import { find, h } from "../dom.js";
 import { fixed, milliseconds } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { advice, explain } from "../explain.js";
+import { keptGaps, shownTotals } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { nextWitness } from "../witness.js";
 
@@ -20,16 +22,18 @@ export function createStatus(app) {
   return {
     render() {
       const { match, matched, problem, ms, slow } = app.results.value;
-      const { note } = app.ui.value;
+      const { note, drawing } = app.ui.value;
       const fresh = matched === app.store.document;
-      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note]);
+      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;
       drawn = key;
       const focused = document.activeElement?.getAttribute("data-certificate");
       const left = problem
         ? [reason(explain(app.store.document, problem))]
         : match
-          ? certificates(app, match, ms)
+          ? isIncomplete(match)
+            ? [strong(strings.incomplete.verdict[app.store.document.curves.length] ?? "")]
+            : certificates(app, match, ms)
           : [label(strings.status.loading)];
       element.replaceChildren(
         h("div", { class: "certificates" }, ...left),
@@ -38,7 +42,9 @@ export function createStatus(app) {
       element.dataset.verdict = problem
         ? "error"
         : match
-          ? match.ok && failures(match.totals.lines) === 0
+          ? isIncomplete(match)
+            ? "incomplete"
+            : match.ok && failures(match) === 0
             ? "verified"
             : "problems"
           : "none";
@@ -48,11 +54,15 @@ export function createStatus(app) {
   };
 }
 
-/** @param {Totals | null} totals */
-function failures(totals) {
+/** Whether the document is still being drawn. @param {Match} match */
+const isIncomplete = (match) => match.diagnostics.some(({ code }) => code === "incomplete");
+
+/** @param {Match} match */
+function failures(match) {
+  const totals = shownTotals(match);
   if (!totals) return 1;
   const { crossings, blocked, uncovered } = totals;
-  return crossings + blocked + uncovered[0].length + uncovered[1].length;
+  return crossings + blocked + uncovered[0].length + uncovered[1].length + keptGaps(match).length;
 }
 
 /**
@@ -62,9 +72,10 @@ function failures(totals) {
  * @returns {Node[]}
  */
 function certificates(app, match, ms) {
-  const totals = match.totals.lines;
+  const totals = shownTotals(match);
   const words = strings.status;
-  const count = Math.max(failures(totals), match.ok ? 0 : 1);
+  const count = Math.max(failures(match), match.ok ? 0 : 1);
+  const gaps = keptGaps(match).length;
   if (!totals) return [h("span", { class: "verdict failed" }, words.problems(count))];
   const [a, b] = totals.uncovered;
   const open = a.length + b.length > 0;
@@ -81,6 +92,7 @@ function certificates(app, match, ms) {
     failure(app, "crossings", words.crossings, totals.crossings, String(totals.crossings)),
     failure(app, "blocked", words.blocked, totals.blocked, String(totals.blocked)),
     failure(app, "uncovered", words.uncovered, a.length + b.length, open ? `${a.length} + ${b.length}` : "0"),
+    gaps > 0 ? failure(app, "gaps", words.gaps, gaps, String(gaps)) : null,
     ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.ms)),
   ].filter((node) => node !== null);
 }
@@ -88,7 +100,7 @@ function certificates(app, match, ms) {
 /**
  * A count that should be zero: plain when it is, a button that shows the place when it is not.
  * @param {App} app
- * @param {"crossings" | "blocked" | "uncovered"} name
+ * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
  * @param {string} words
  * @param {number} count
  * @param {string} shown
@@ -128,6 +140,11 @@ function remark(app, match, slow) {
   }
   if (note) return [label(note.text)];
   if (!match) return [];
+  if (isIncomplete(match)) {
+    const text = label(strings.incomplete.reason[app.store.document.curves.length] ?? "");
+    if (app.ui.value.drawing) return [text];
+    return [text, command("draw", commandText(app, "draw"), () => void runCommand(app, "draw"))];
+  }
   const text = advice(match);
   if (text) return [reason(text)];
   return app.store.document.matching.method === "greedy" ? [h("span", { class: "warning" }, words.heuristic)] : [];

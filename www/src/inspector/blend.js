@@ -1,9 +1,10 @@
 /**
- * Blend: how many stages lie between the curves.
+ * Blend: how many stages lie between the curves, and whether they have names.
  *
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
+import { checkBox } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { h } from "../dom.js";
 import { patch } from "../state/edits.js";
@@ -27,11 +28,15 @@ export function blendGroup(app) {
       document.blend.stages === value ? document : patch(document, "blend", { stages: value }),
     ),
   );
+  const names = checkBox({ name: "stage-labels", text: [words.names] }, (on) => app.ui.set({ stageLabels: on }));
   return {
     name: "blend",
     heading: words.heading,
-    body: h("div", {}, row(words.stages, ...stages.controls)),
+    body: h("div", {}, row(words.stages, ...stages.controls), row("", names)),
     phrase: () => words.phrase(app.store.document.blend.stages),
-    render: () => stages.set(app.store.document.blend.stages),
+    render() {
+      stages.set(app.store.document.blend.stages);
+      names.set(app.ui.value.stageLabels);
+    },
   };
 }

@@ -4,8 +4,10 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
+import { runCommand } from "../commands.js";
 import { checkBox } from "../controls/choices.js";
-import { h } from "../dom.js";
+import { row } from "../controls/row.js";
+import { attribute, h, write } from "../dom.js";
 import { symbol } from "../icons.js";
 import { LAYERS } from "../state/app.js";
 import { strings } from "../strings.js";
@@ -26,13 +28,28 @@ export function layersGroup(app) {
       },
     ),
   }));
+  const snap = checkBox({ name: "snap", text: [words.snap] }, () => void runCommand(app, "snap"));
+  const select = h("select", { "aria-label": words.isoMaterialField, "data-select": "iso-material" });
+  select.addEventListener("change", () => app.ui.set({ isoMaterial: Number(select.value) }));
+  const material = row(words.isoMaterial, { element: h("span", { class: "field select" }, select) });
   return {
     name: "layers",
     heading: words.heading,
-    body: h("div", { class: "layers" }, ...boxes.map(({ element }) => element)),
+    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element), material),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
-      for (const { name, set } of boxes) set(app.ui.value.layers.includes(name));
+      const { layers, isoMaterial, snap: snaps } = app.ui.value;
+      const { materials } = app.store.document;
+      for (const { name, set } of boxes) set(layers.includes(name));
+      snap.set(snaps);
+      material.hidden = !layers.includes("isoComposition");
+      while (select.options.length < materials.length) select.append(h("option", {}));
+      while (select.options.length > materials.length) select.remove(materials.length);
+      materials.forEach(({ name }, i) => {
+        write(select.options[i], name);
+        attribute(select.options[i], "value", String(i));
+      });
+      if (select.value !== String(isoMaterial)) select.value = String(isoMaterial);
     },
   };
 }

@@ -1,11 +1,11 @@
 /**
- * Matching: the method and the weights of its value.
+ * Matching: the method, the weights of its value, and what it joins to what.
  *
  * @import { App } from "../state/app.js"
  * @import { Matching } from "../types.js"
  * @import { Group } from "./group.js"
  */
-import { segment } from "../controls/choices.js";
+import { checkBox, segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { h } from "../dom.js";
 import { editable } from "../format.js";
@@ -54,6 +54,9 @@ export function matchingGroup(app) {
         change: (document) => patch(document, "matching", { negative: /** @type {Matching["negative"]} */ (value) }),
       }),
   );
+  const oneToOne = checkBox({ name: "one-to-one", text: [words.oneToOne] }, (on) =>
+    app.store.commit({ change: (document) => patch(document, "matching", { oneToOne: on }) }),
+  );
   const body = h(
     "div",
     {},
@@ -62,7 +65,22 @@ export function matchingGroup(app) {
     row(words.distanceWeight, ...distance.controls),
     row(words.alignmentWeight, ...alignment.controls),
     row(words.negative, negative),
+    row(words.lines, oneToOne),
   );
+  /** @type {{element: HTMLElement, render: () => void} | null} */
+  let plot = null;
+  let asked = false;
+  /** The plot comes when the group is first seen. */
+  function renderPlot() {
+    plot?.render();
+    if (asked) return;
+    asked = true;
+    void import("./correspondence.js").then(({ createCorrespondence }) => {
+      plot = createCorrespondence(app);
+      body.append(plot.element);
+      plot.render();
+    });
+  }
 
   return {
     name: "matching",
@@ -78,6 +96,8 @@ export function matchingGroup(app) {
       distance.set(matching.distanceWeight);
       alignment.set(matching.alignmentWeight);
       negative.set(matching.negative);
+      oneToOne.set(matching.oneToOne);
+      renderPlot();
     },
   };
 }

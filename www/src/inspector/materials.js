@@ -1,21 +1,15 @@
 /**
- * Materials: colour, name, and which curve holds which.
+ * Materials: colour, name, which curve holds which, and how the composition runs along each curve.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument } from "../types.js"
  * @import { Group } from "./group.js"
  */
-import { newRun } from "../controls/run.js";
-import { textField } from "../controls/text-field.js";
-import { attribute, h, write } from "../dom.js";
-import { icon } from "../icons.js";
-import { curveName } from "../state/app.js";
-import { addMaterial, assignMaterial, changeMaterial, holds, MATERIAL_LIMIT, removeMaterial } from "../state/edits.js";
-import { inSentence, strings } from "../strings.js";
+import { attribute, h } from "../dom.js";
+import { isWhole } from "../state/selection.js";
+import { addMaterial, MATERIAL_LIMIT } from "../state/materials.js";
+import { strings } from "../strings.js";
 import { compositionStrip } from "./composition.js";
-
-/** Colours for new materials, told apart by colour-blind readers as well (Okabe and Ito). */
-const PALETTE = ["#f0e442", "#009e73", "#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#cc79a7", "#c3c9d2"];
+import { materialRow, PALETTE } from "./material-row.js";
 
 /**
  * @param {App} app
@@ -24,7 +18,13 @@ const PALETTE = ["#f0e442", "#009e73", "#0072b2", "#e69f00", "#56b4e9", "#d55e00
 export function materialsGroup(app) {
   const words = strings.materials;
   const list = h("div", { class: "materials" });
-  const strips = h("div", {});
+  const strips = /** @type {const} */ ([0, 1]).map((curve) => compositionStrip(app, curve));
+  const panel = h("div", {});
+  const toggle = h(
+    "button",
+    { type: "button", class: "command-word", title: strings.composition.toggleHelp, "data-action": "compose" },
+    strings.composition.toggle,
+  );
   const add = h("button", { type: "button", class: "command-word", "data-action": "add-material" }, words.add);
   add.addEventListener("click", () =>
     app.store.commit({
@@ -35,84 +35,69 @@ export function materialsGroup(app) {
       },
     }),
   );
+  toggle.addEventListener("click", () => {
+    const { composing, selection } = app.ui.value;
+    const curve = selection && (isWhole(selection) || app.ui.value.key === null) ? selection.curve : null;
+    app.ui.set({ composing: !composing, ...(curve === null || composing ? {} : { key: { curve, index: 0 } }) });
+    app.say(composing ? strings.composition.left : strings.composition.entered);
+    requestAnimationFrame(reveal);
+  });
+  /** @type {{render: () => void} | null} */
+  let keyPanel = null;
+  let asked = false;
   /** @type {ReturnType<typeof materialRow>[]} */
   const rows = [];
+  /** The row whose details are open. @type {number | null} */
+  let opened = null;
+
+  /** Brings the chosen key's numbers into view. */
+  function reveal() {
+    if (!panel.hidden) panel.scrollIntoView({ block: "nearest" });
+  }
+
+  function renderKeyPanel() {
+    panel.hidden = !app.ui.value.composing;
+    if (panel.hidden) return;
+    if (keyPanel) keyPanel.render();
+    else if (!asked) {
+      asked = true;
+      void import("./key-panel.js").then(({ createKeyPanel }) => {
+        const made = createKeyPanel(app);
+        panel.append(made.element);
+        keyPanel = made;
+        renderKeyPanel();
+        reveal();
+      });
+    }
+  }
+
+  function render() {
+    const { document } = app.store;
+    const { composing } = app.ui.value;
+    while (rows.length < document.materials.length) {
+      const index = rows.length;
+      const item = materialRow(app, index, (/** @type {number | null} */ open) => {
+        opened = open;
+        render();
+      });
+      rows.push(item);
+      list.append(item.element);
+    }
+    while (rows.length > document.materials.length) rows.pop()?.element.remove();
+    rows.forEach((item, index) => item.render(document, opened === index));
+    add.disabled = document.materials.length >= MATERIAL_LIMIT;
+    attribute(toggle, "aria-pressed", String(composing));
+    toggle.disabled = document.curves.length === 0;
+    for (const strip of strips) strip.render();
+    renderKeyPanel();
+  }
 
   return {
     name: "materials",
     heading: words.heading,
-    body: h("div", {}, list, strips),
-    commands: [add],
+    body: h("div", {}, list, ...strips.map(({ element }) => element), panel),
+    commands: [toggle, add],
     phrase: () => words.phrase(app.store.document.materials.map(({ name }) => name)),
-    render() {
-      const { document } = app.store;
-      while (rows.length < document.materials.length) {
-        const item = materialRow(app, rows.length);
-        rows.push(item);
-        list.append(item.element);
-      }
-      while (rows.length > document.materials.length) rows.pop()?.element.remove();
-      for (const item of rows) item.render(document);
-      add.disabled = document.materials.length >= MATERIAL_LIMIT;
-      strips.replaceChildren(
-        ...[0, 1].map((index) => compositionStrip(document, index)).filter((strip) => strip !== null),
-      );
-    },
-  };
-}
-
-/**
- * @param {App} app
- * @param {number} index
- */
-function materialRow(app, index) {
-  const words = strings.materials;
-  let run = newRun("color");
-  const color = h("input", { type: "color", class: "swatch", "data-color": index });
-  color.addEventListener("input", () =>
-    app.store.commit({ run, change: (document) => changeMaterial(document, index, { color: color.value }) }),
-  );
-  color.addEventListener("change", () => {
-    run = newRun("color");
-    app.store.endRun();
-  });
-  const name = textField({ label: words.name(index), name: `material-${index}`, bare: true }, (text) =>
-    app.store.commit({ change: (document) => changeMaterial(document, index, { name: text }) }),
-  );
-  const holders = /** @type {const} */ ([0, 1]).map((curve) => {
-    const button = h("button", { type: "button", class: "holder", "data-holder": `${curve}-${index}` });
-    button.addEventListener("click", () =>
-      app.store.commit({ change: (document) => assignMaterial(document, curve, index) }),
-    );
-    return button;
-  });
-  const remove = h(
-    "button",
-    { type: "button", class: "bare icon-only remove", "data-remove": index },
-    icon("cross", 12),
-  );
-  remove.addEventListener("click", () => app.store.commit({ change: (document) => removeMaterial(document, index) }));
-
-  return {
-    element: h("div", { class: "material" }, color, name.element, remove, ...holders),
-
-    /** @param {CurvesDocument} document */
-    render(document) {
-      const material = document.materials[index];
-      if (!material) return;
-      if (color.value !== material.color.toLowerCase()) color.value = material.color;
-      attribute(color, "aria-label", words.color(material.name));
-      name.set(material.name);
-      holders.forEach((button, curve) => {
-        const shape = /** @type {import("../types.js").Curve} */ (document.curves[curve]);
-        const label = curveName(document, curve);
-        write(button, inSentence(label));
-        attribute(button, "aria-label", words.on(label, material.name));
-        attribute(button, "aria-pressed", String(holds(shape, index)));
-      });
-      remove.hidden = document.materials.length < 2 || document.curves.some((curve) => holds(curve, index));
-      attribute(remove, "aria-label", words.remove(material.name));
-      attribute(remove, "title", words.remove(material.name));
-    },
+    render,
   };
 }

@@ -1,12 +1,14 @@
 /**
- * Sampling: the scheme and the number of samples on each curve.
+ * Sampling: the scheme, and the number of samples on each curve or how fine they are.
  *
  * @import { App } from "../state/app.js"
+ * @import { CurvesDocument, Sampling } from "../types.js"
  * @import { Group } from "./group.js"
  */
 import { segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
+import { h, write } from "../dom.js";
 import { curveName } from "../state/app.js";
 import { patch } from "../state/edits.js";
 import { strings } from "../strings.js";
@@ -15,6 +17,10 @@ import { editing } from "./edit.js";
 /** Samples the format allows on one curve. */
 const FEWEST = 3;
 const MOST = 1000;
+/** Tolerances that the field takes, and the size of a document without curves. */
+const FINEST = 1e-6;
+const COARSEST = 1e12;
+const BLANK = 100;
 
 /**
  * @param {App} app
@@ -29,13 +35,16 @@ export function samplingGroup(app) {
       choices: [
         { value: "arc-length", text: words.arcLength },
         { value: "parameter", text: words.parameter },
+        { value: "adaptive", text: words.adaptive },
       ],
     },
-    (value) =>
+    (value) => {
+      const scheme = /** @type {Sampling["scheme"]} */ (value);
       app.store.commit({
         change: (document) =>
-          patch(document, "sampling", { scheme: /** @type {"arc-length" | "parameter"} */ (value) }),
-      }),
+          patch(document, "sampling", scheme === "adaptive" ? { scheme, ...fineness(document) } : { scheme }),
+      });
+    },
   );
   const counts = /** @type {const} */ ([0, 1]).map((index) =>
     numberField(
@@ -57,22 +66,93 @@ export function samplingGroup(app) {
       }),
     ),
   );
-  const body = document.createElement("div");
-  body.append(row(words.scheme, scheme), row(words.counts, ...counts));
+  /**
+   * @param {"tolerance" | "maxTurn" | "minCount"} name
+   * @param {Omit<import("../controls/number-field.js").NumberOptions, "name">} options
+   */
+  const fine = (name, options) =>
+    numberField(
+      { name, ...options },
+      editing(app, (document, value) =>
+        document.sampling[name] === value ? document : patch(document, "sampling", { [name]: value }),
+      ),
+    );
+  const tolerance = fine("tolerance", {
+    label: words.toleranceField(app.store.document.unit),
+    min: FINEST,
+    max: COARSEST,
+    step: () => unitOf(fineness(app.store.document).tolerance),
+    decimals: 2,
+  });
+  const maxTurn = fine("maxTurn", { label: words.maxTurnField, min: 1, max: 90, step: 1, decimals: 0 });
+  const minCount = fine("minCount", {
+    label: words.minCountField,
+    min: FEWEST,
+    max: MOST,
+    step: 1,
+    decimals: 0,
+    whole: true,
+  });
+  const taken = h("span", { class: "fact number", "data-taken": "" });
+  const even = row(words.counts, ...counts);
+  const adaptive = [
+    row(words.tolerance, tolerance),
+    row(words.maxTurn, maxTurn, { element: h("span", { class: "unit" }, words.degrees) }),
+    row(words.minCount, minCount),
+    row(words.counts, { element: taken }),
+  ];
+  const body = h("div", {}, row(words.scheme, scheme), even, ...adaptive);
+
+  /** Numbers of samples: as asked for, or as many as the shapes took. */
+  function numbers() {
+    const { sampling } = app.store.document;
+    const { match } = app.results.value;
+    if (sampling.scheme !== "adaptive") return sampling.counts;
+    return [0, 1].map((k) => match?.samples[k]?.parameters.length ?? 0);
+  }
 
   return {
     name: "sampling",
     heading: words.heading,
     body,
     phrase() {
-      const { scheme: value, counts: count } = app.store.document.sampling;
-      const text = value === "arc-length" ? words.arcLength : words.parameter;
-      return words.phrase(text.toLowerCase(), count[0], count[1]);
+      const { scheme: value } = app.store.document.sampling;
+      const text = { "arc-length": words.arcLength, parameter: words.parameter, adaptive: words.adaptive }[value];
+      const [a = 0, b = 0] = numbers();
+      return words.phrase(text.toLowerCase(), a, b);
     },
     render() {
       const { sampling } = app.store.document;
       scheme.set(sampling.scheme);
       counts.forEach((field, index) => field.set(sampling.counts[index] ?? FEWEST));
+      even.hidden = sampling.scheme === "adaptive";
+      for (const each of adaptive) each.hidden = !even.hidden;
+      if (!even.hidden) return;
+      const fine = fineness(app.store.document);
+      tolerance.set(fine.tolerance);
+      maxTurn.set(fine.maxTurn);
+      minCount.set(fine.minCount);
+      const [a = 0, b = 0] = numbers();
+      write(taken, words.taken(a, b));
     },
   };
 }
+
+/**
+ * How fine adaptive samples are: as the document says, else as the format does, the tolerance in two figures.
+ * @param {CurvesDocument} document
+ */
+function fineness({ sampling, curves }) {
+  const points = curves.flatMap((curve) => curve.points);
+  const span = (/** @type {0 | 1} */ axis) => {
+    const values = points.map((point) => point[axis]);
+    return values.length > 0 ? Math.max(...values) - Math.min(...values) : BLANK;
+  };
+  const { tolerance, maxTurn = 15, minCount = 12 } = sampling;
+  const size = Math.hypot(span(0), span(1));
+  const own = Math.min(COARSEST, Math.max(FINEST, Number((1e-3 * (size || BLANK)).toPrecision(2))));
+  return { tolerance: tolerance ?? own, maxTurn, minCount };
+}
+
+/** A step of the first figure of a number. @param {number} value */
+const unitOf = (value) => 10 ** Math.floor(Math.log10(value) + 1e-9);

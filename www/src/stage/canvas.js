@@ -26,7 +26,8 @@ export function createCanvas(app) {
     render() {
       const { picture } = app.results.value;
       const { view, size, theme } = app.ui.value;
-      attribute(canvas, "aria-label", strings.canvas.picture(app.store.document.title));
+      const { title, curves } = app.store.document;
+      attribute(canvas, "aria-label", strings.canvas.picture(title, curves.length));
       if (!picture || !view || !context || !sourceContext) return;
       const ratio = window.devicePixelRatio || 1;
       const width = Math.round(size.width * ratio);

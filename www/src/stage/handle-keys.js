@@ -2,15 +2,16 @@
  * Keys on the handles: arrows move, page keys go from point to point, Insert and Delete change their number.
  *
  * @import { App } from "../state/app.js"
- * @import { Curve, Point } from "../types.js"
+ * @import { CurvesDocument, Point, Selection } from "../types.js"
+ * @import { Held } from "./handles.js"
  */
 import { newRun } from "../controls/run.js";
 import { coordinate } from "../format.js";
 import { curveName, pointName } from "../state/app.js";
-import { handleCount, moveCurve, movePoint, tidy } from "../state/edits.js";
+import { handleCount, movePoints } from "../state/edits.js";
+import { includes, isWhole, middleOf, movedPoints, only, several, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
-import { centerOf } from "./handles.js";
 import { insertAfter, remove } from "./points.js";
 
 /** Milliseconds between two arrow keys that still belong to one run. */
@@ -28,16 +29,19 @@ export function listenToKeys(app, handles) {
   let last = 0;
 
   handles.element.addEventListener("focusin", (event) => {
-    const chosen = selectionOf(event.target);
-    if (!chosen) return;
+    const held = heldBy(event.target);
+    if (!held) return;
     run = newRun("keys");
-    app.ui.set({ selection: chosen });
+    const { selection } = app.ui.value;
+    const { curve, point } = held;
+    const kept = point === null ? isWhole(selection) && selection?.curve === curve : includes(selection, curve, point);
+    if (!kept) app.ui.set({ selection: chosenBy(held) });
   });
 
   handles.element.addEventListener("keydown", (event) => {
-    const chosen = selectionOf(event.target);
-    if (!chosen || event.ctrlKey || event.metaKey) return;
-    if (handle(event, chosen)) {
+    const held = heldBy(event.target);
+    if (!held || event.ctrlKey || event.metaKey) return;
+    if (handle(event, held)) {
       event.preventDefault();
       event.stopPropagation();
     }
@@ -45,22 +49,22 @@ export function listenToKeys(app, handles) {
 
   /**
    * @param {KeyboardEvent} event
-   * @param {{curve: 0 | 1, point: number | null}} chosen
+   * @param {Held} held
    * @returns {boolean} whether the key meant something
    */
   function handle(event, { curve, point }) {
     const arrow = ARROWS[event.key];
     if (arrow) {
-      move(curve, point, arrow, event);
+      move(arrow, event);
       return true;
     }
     const count = handleCount(app.store.document.curves[curve]);
     switch (event.key) {
       case "PageDown":
-        go(curve, point === null ? 0 : (point + 1) % count);
+        go(curve, point === null ? 0 : (point + 1) % count, event.shiftKey);
         return true;
       case "PageUp":
-        go(curve, point === null ? count - 1 : (point + count - 1) % count);
+        go(curve, point === null ? count - 1 : (point + count - 1) % count, event.shiftKey);
         return true;
       case "Home":
         go(curve, null);
@@ -69,18 +73,18 @@ export function listenToKeys(app, handles) {
         go(curve, count - 1);
         return true;
       case "Insert":
-        void insertAfter(app, curve, point ?? 0).then(() => refocus(curve));
+        void insertAfter(app, curve, point ?? 0).then(refocus);
         return true;
       case "Delete":
       case "Backspace":
-        if (point === null) return false;
-        remove(app, curve, point);
-        refocus(curve);
+        if (point === null || event.shiftKey) return false;
+        remove(app, curve, app.ui.value.selection?.points ?? [point]);
+        refocus();
         return true;
       case "Escape":
         if (!app.store.cancel(run)) return false;
         run = newRun("keys");
-        speak(curve, point);
+        speak();
         return true;
       default:
         return false;
@@ -88,66 +92,69 @@ export function listenToKeys(app, handles) {
   }
 
   /**
-   * @param {0 | 1} curve
-   * @param {number | null} point
    * @param {Point} arrow
    * @param {KeyboardEvent} event
    */
-  function move(curve, point, arrow, event) {
+  function move(arrow, event) {
+    const { selection } = app.ui.value;
+    if (!selection) return;
     const now = performance.now();
     if (now - last > PAUSE) run = newRun("keys");
     last = now;
     const by = arrowStep(app.store.document) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-    const [dx, dy] = [arrow[0] * by, arrow[1] * by];
     app.store.commit({
       run,
-      change: (document) => {
-        if (point === null) return moveCurve(document, curve, [dx, dy]);
-        const [x, y] = /** @type {Point} */ (document.curves[curve].points[point]);
-        return movePoint(document, curve, point, [tidy(x + dx), tidy(y + dy)]);
-      },
+      change: (document) =>
+        movePoints(document, selection.curve, movedPoints(document, selection), [arrow[0] * by, arrow[1] * by]),
     });
-    speak(curve, point);
+    speak();
   }
 
-  /** @param {0 | 1} curve @param {number | null} point */
-  function go(curve, point) {
-    app.ui.set({ selection: { curve, point } });
+  /**
+   * @param {0 | 1} curve
+   * @param {number | null} point
+   * @param {boolean} [extend] keeps the points chosen so far
+   */
+  function go(curve, point, extend = false) {
+    const { selection } = app.ui.value;
+    const kept = extend && selection?.curve === curve ? selection.points : [];
+    app.ui.set({ selection: point === null ? whole(curve) : several(curve, [...kept, point]) });
     handles.render();
     handles.focus({ curve, point });
+    if (kept.length > 0) speak();
   }
 
-  /** @param {0 | 1} curve */
-  function refocus(curve) {
+  function refocus() {
     handles.render();
-    handles.focus({ curve, point: app.ui.value.selection?.point ?? 0 });
+    const { selection } = app.ui.value;
+    if (selection) handles.focus({ curve: selection.curve, point: selection.points[0] ?? null });
   }
 
-  /** @param {0 | 1} curve @param {number | null} point */
-  function speak(curve, point) {
-    app.say(spokenPlace(app, curve, point));
+  function speak() {
+    const { selection } = app.ui.value;
+    if (selection) app.say(spokenPlace(app.store.document, selection));
   }
 }
 
 /**
- * Where a handle is, in words.
- * @param {App} app
- * @param {0 | 1} curve
- * @param {number | null} point
+ * Where the selection is, in words.
+ * @param {CurvesDocument} document
+ * @param {Selection} selection
  */
-export function spokenPlace(app, curve, point) {
-  const shape = /** @type {Curve} */ (app.store.document.curves[curve]);
-  const [x, y] = point === null ? centerOf(shape) : /** @type {Point} */ (shape.points[point]);
-  return point === null
-    ? strings.handles.curve(curveName(app.store.document, curve), coordinate(x), coordinate(y))
-    : strings.handles.point(pointName(curve, point), coordinate(x), coordinate(y));
+export function spokenPlace(document, selection) {
+  const { curve, points } = selection;
+  const [x, y] = middleOf(document, selection).map(coordinate);
+  if (points.length === 0) return strings.handles.curve(curveName(document, curve), x, y);
+  const name = points.length === 1 ? pointName(curve, points[0]) : strings.curves.several(points.length);
+  return strings.handles.point(name, x, y);
 }
 
 /**
+ * The handle that an event is about; its point is null for the outline.
  * @param {EventTarget | null} target
- * @returns {{curve: 0 | 1, point: number | null} | null}
+ * @returns {Held | null}
  */
-export function selectionOf(target) {
+export function heldBy(target) {
   if (!(target instanceof Element)) return null;
   const handle = target.closest("[data-handle]");
   if (handle instanceof HTMLElement) {
@@ -157,3 +164,9 @@ export function selectionOf(target) {
   const path = target.closest("[data-outline]");
   return path ? { curve: path.getAttribute("data-outline") === "0" ? 0 : 1, point: null } : null;
 }
+
+/**
+ * The selection of just what is held.
+ * @param {Held} held
+ */
+export const chosenBy = ({ curve, point }) => (point === null ? whole(curve) : only(curve, point));

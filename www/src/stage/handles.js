@@ -10,6 +10,7 @@ import { coordinate } from "../format.js";
 import { outline } from "../spline.js";
 import { curveName, pointName } from "../state/app.js";
 import { handleCount } from "../state/edits.js";
+import { includes, isWhole, middleOf, singlePoint, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
 
@@ -30,15 +31,15 @@ export function createHandles(app) {
     element: overlay,
 
     render() {
-      const { view, size, selection, layers } = app.ui.value;
+      const { view, size, selection, layers, drawing, composing } = app.ui.value;
       if (!view) return;
-      overlay.hidden = !layers.includes("controlPoints");
+      overlay.hidden = drawing || composing || !layers.includes("controlPoints");
       for (const group of groups) group.render(app, view, size);
-      const chosen =
-        selection?.point != null ? app.store.document.curves[selection.curve]?.points[selection.point] : null;
+      const point = singlePoint(selection);
+      const chosen = selection && point !== null ? app.store.document.curves[selection.curve]?.points[point] : null;
       name.hidden = !chosen;
-      if (!chosen || !selection || selection.point === null) return;
-      write(name, pointName(selection.curve, selection.point));
+      if (!chosen || !selection || point === null) return;
+      write(name, pointName(selection.curve, point));
       const [x, y] = toScreen(view, size, chosen);
       const left = x > size.width - 56;
       name.style.transform = `translate(${x + (left ? -38 : 16)}px, ${y < 32 ? y + 8 : y - 26}px)`;
@@ -126,12 +127,14 @@ function createGroup(curve) {
     render(app, view, size) {
       const { document } = app.store;
       const { selection } = app.ui.value;
-      const shape = /** @type {Curve} */ (document.curves[curve]);
+      const shape = document.curves[curve];
+      element.hidden = !shape;
+      if (!shape) return;
       const label = curveName(document, curve);
       attribute(element, "aria-label", strings.handles.group(label));
       grow(handleCount(shape));
       const mine = selection?.curve === curve ? selection : null;
-      const stop = mine ? mine.point : 0;
+      const stop = mine ? (mine.points[0] ?? null) : 0;
 
       const key = `${view.center} ${view.scale} ${size.width} ${size.height}`;
       if (shape !== tracedCurve || key !== traced) {
@@ -141,10 +144,10 @@ function createGroup(curve) {
         hit.setAttribute("d", d);
         glow.setAttribute("d", d);
       }
-      const [cx, cy] = centerOf(shape);
+      const [cx, cy] = middleOf(document, whole(curve));
       attribute(hit, "aria-label", strings.handles.curve(label, coordinate(cx), coordinate(cy)));
       attribute(hit, "tabindex", stop === null ? "0" : "-1");
-      glow.classList.toggle("chosen", mine?.point === null);
+      glow.classList.toggle("chosen", isWhole(mine));
 
       buttons.forEach((button, i) => {
         const at = /** @type {Point} */ (shape.points[i]);
@@ -156,23 +159,8 @@ function createGroup(curve) {
           "aria-label",
           strings.handles.point(pointName(curve, i), coordinate(at[0]), coordinate(at[1])),
         );
-        button.classList.toggle("chosen", mine?.point === i);
+        button.classList.toggle("chosen", includes(mine, curve, i));
       });
     },
   };
-}
-
-/**
- * The mean of a curve's control points: the place the number fields of a whole curve show.
- * @param {Curve} curve
- * @returns {Point}
- */
-export function centerOf(curve) {
-  const count = handleCount(curve);
-  let [x, y] = [0, 0];
-  for (const point of curve.points.slice(0, count)) {
-    x += point[0] / count;
-    y += point[1] / count;
-  }
-  return [x, y];
 }

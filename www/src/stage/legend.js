@@ -1,22 +1,31 @@
 /**
- * Legend of the material fractions: one strip for each pair of materials that blends from curve to curve.
+ * Legend of the material fractions: the triangle of all mixes for three materials, one strip for each pair that blends from curve to curve
+ * for two, and a list for more.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument } from "../types.js"
+ * @import { CurvesDocument, Material } from "../types.js"
  */
 import { find, h } from "../dom.js";
 import { percent } from "../format.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
-import { holds } from "../state/edits.js";
+import { shownLines } from "../state/lines.js";
+import { strings } from "../strings.js";
+import { triangle } from "../controls/triangle.js";
+import { inTriangle } from "../state/mix.js";
+import { holds, usedMaterials } from "../state/materials.js";
 
-/** Strips shown at most. */
+/** Strips and names shown at most, and the side of the triangle in CSS pixels. */
 const STRIPS = 3;
+const NAMES = 6;
+const SIDE = 76;
 
 /** @param {App} app */
 export function createLegend(app) {
   const element = find("#legend");
+  const colors = triangle(SIDE);
+  const dot = h("span", { class: "triangle-dot", hidden: true });
   let drawn = "";
 
   return {
@@ -24,18 +33,56 @@ export function createLegend(app) {
       const { layers } = app.ui.value;
       const { document } = app.store;
       const range = layers.includes("value") ? valueRange(app) : null;
-      const pairs = layers.includes("material") ? blends(document) : [];
-      const key = JSON.stringify([pairs, document.materials, range]);
+      const used = layers.includes("material") ? usedMaterials(document) : [];
+      const pairs = used.length === 2 ? blends(document) : [];
+      mark(used);
+      const key = JSON.stringify([used, pairs, document.materials, range]);
       if (key === drawn) return;
       drawn = key;
-      element.hidden = pairs.length === 0 && !range;
+      const names = used.map((i) => document.materials[i]);
+      if (used.length === 3) colors.draw(names.map(({ color }) => color));
+      element.hidden = used.length < 2 && !range;
       element.replaceChildren(
         ...pairs.map(([a, b]) => strip(document, a, b)),
         ...(pairs.length > 0 ? [scale([percent(0), percent(0.5), percent(1)])] : []),
+        ...(used.length === 3 ? [corners(names)] : []),
+        ...(used.length > 3 ? [list(names)] : []),
         ...(range ? valueStrip(range) : []),
       );
     },
   };
+
+  /** Shows the probed mix in the triangle. @param {number[]} used */
+  function mark(used) {
+    const { probe } = app.ui.value;
+    dot.hidden = !probe || used.length !== 3;
+    if (!probe || dot.hidden) return;
+    const [x, y] = inTriangle(used.map((i) => probe.fractions[i] ?? 0));
+    dot.style.left = `${x * SIDE}px`;
+    dot.style.bottom = `${y * SIDE}px`;
+  }
+
+  /** @param {Material[]} names */
+  function corners([a, b, c]) {
+    return h(
+      "div",
+      { class: "legend-triangle" },
+      h("span", {}, c.name),
+      h("div", { class: "triangle-area" }, colors.element, dot),
+      h("div", { class: "triangle-base" }, h("span", {}, a.name), h("span", {}, b.name)),
+    );
+  }
+}
+
+/** @param {Material[]} names */
+function list(names) {
+  const rows = names.slice(0, NAMES).map(({ name, color }) => {
+    const swatch = h("span", { class: "mix-swatch" });
+    swatch.style.backgroundColor = color;
+    return h("div", { class: "legend-name" }, swatch, h("span", {}, name));
+  });
+  const more = names.length > NAMES ? [h("div", { class: "legend-name" }, strings.legend.more(names.length - NAMES))] : [];
+  return h("div", { class: "legend-list" }, ...rows, ...more);
 }
 
 /**
@@ -73,7 +120,7 @@ function scale(ticks) {
 
 /** @param {App} app @returns {[number, number] | null} */
 function valueRange(app) {
-  const values = currentMatch(app)?.lines.map((line) => line.value) ?? [];
+  const values = shownLines(currentMatch(app)).map((line) => line.value);
   return values.length > 0 ? [Math.min(...values), Math.max(...values)] : null;
 }
 

@@ -3,6 +3,7 @@
  *
  * @import { App } from "../state/app.js"
  */
+import { shownKey } from "../commands.js";
 import { slider } from "../controls/slider.js";
 import { attribute, find, h, write } from "../dom.js";
 import { fixed } from "../format.js";
@@ -51,6 +52,10 @@ export function createMorph(app) {
   function frame(now) {
     const { playing, s } = app.ui.value;
     if (!playing) return;
+    if (app.store.document.curves.length < 2) {
+      app.ui.set({ playing: false });
+      return;
+    }
     const elapsed = Math.min(100, now - before);
     before = now;
     let next = s + (direction * elapsed) / SWEEP;
@@ -62,6 +67,10 @@ export function createMorph(app) {
 
   function toggle() {
     const { playing, s } = app.ui.value;
+    if (app.store.document.curves.length < 2) {
+      app.say(strings.morph.needsTwo);
+      return;
+    }
     if (still.matches) {
       const { stages } = app.store.document.blend;
       const j = Math.floor(s * stages + 1e-9) + 1;
@@ -83,19 +92,24 @@ export function createMorph(app) {
       const { s, playing } = app.ui.value;
       const { document } = app.store;
       const { stages } = document.blend;
-      write(first, curveName(document, 0));
-      write(last, curveName(document, 1));
+      write(first, document.curves[0] ? curveName(document, 0) : "");
+      write(last, document.curves[1] ? curveName(document, 1) : "");
       write(value, fixed(s, 2));
       write(stage, stageText(s, stages));
       control.set(s);
       attribute(control.input, "aria-valuetext", strings.morph.spoken(fixed(s, 2), stageText(s, stages)));
-      const wanted = still.matches ? "step" : playing ? "pause" : "play";
+      const whole = document.curves.length === 2;
+      play.disabled = !whole;
+      control.input.disabled = !whole;
+      control.element.classList.toggle("disabled", !whole);
+      attribute(control.input, "title", whole ? null : strings.morph.needsTwo);
+      const wanted = !whole ? "none" : still.matches ? "step" : playing ? "pause" : "play";
       if (wanted !== face) {
         face = wanted;
-        play.replaceChildren(icon(wanted));
-        const label = strings.morph[wanted];
+        play.replaceChildren(icon(wanted === "none" ? "play" : wanted));
+        const label = wanted === "none" ? strings.morph.play : strings.morph[wanted];
         attribute(play, "aria-label", label);
-        attribute(play, "title", label);
+        attribute(play, "title", wanted === "none" ? strings.morph.needsTwo : `${label} (${shownKey("Space")})`);
       }
       const count = stages <= TICKS ? stages : 1;
       if (count === drawnTicks) return;

@@ -7,7 +7,8 @@
 import { problem } from "../painter.js";
 import { nearestParameter } from "../spline.js";
 import { pointName } from "../state/app.js";
-import { canRemovePoint, handleCount, removePoint } from "../state/edits.js";
+import { canRemovePoints, handleCount, removePoints } from "../state/edits.js";
+import { only } from "../state/selection.js";
 import { strings } from "../strings.js";
 
 /**
@@ -25,7 +26,7 @@ export async function insertAt(app, index, at) {
     app.store.commit({ change: () => after });
     const curve = after.curves[index];
     const point = nearestPoint(curve, at);
-    app.ui.set({ selection: { curve: index, point } });
+    app.ui.set({ selection: only(index, point) });
     app.say(strings.handles.inserted(pointName(index, point)));
   } catch (error) {
     app.ui.set({ note: { tone: "error", text: problem(error).message } });
@@ -46,22 +47,23 @@ export function insertAfter(app, index, point) {
 }
 
 /**
+ * Removes control points; says why when the curve cannot spare them.
  * @param {App} app
  * @param {0 | 1} index
- * @param {number} point
+ * @param {readonly number[]} points
  */
-export function remove(app, index, point) {
+export function remove(app, index, points) {
   const curve = app.store.document.curves[index];
-  if (!canRemovePoint(curve)) {
+  if (!canRemovePoints(curve, points.length)) {
     const text = strings.handles.tooFew(curve.degree);
     app.ui.set({ note: { tone: "plain", text } });
     app.say(text);
     return;
   }
-  app.store.commit({ change: (document) => removePoint(document, index, point) });
+  app.store.commit({ change: (document) => removePoints(document, index, points) });
   const left = handleCount(app.store.document.curves[index]);
-  app.ui.set({ selection: { curve: index, point: Math.min(point, left - 1) } });
-  app.say(strings.handles.removed(pointName(index, point)));
+  app.ui.set({ selection: only(index, Math.min(points[0], left - 1)) });
+  app.say(strings.handles.removed(points.map((point) => pointName(index, point)).join(", ")));
 }
 
 /** @param {Curve} curve @param {Point} at */

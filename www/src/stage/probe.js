@@ -2,14 +2,17 @@
  * Reading one ruling line: the card beside the pointer, the ring on the line, and the same by keyboard.
  *
  * @import { App } from "../state/app.js"
- * @import { Point, Probe } from "../types.js"
+ * @import { CurvesDocument, Point, Reading } from "../types.js"
  */
 import { attribute, find, h, svg } from "../dom.js";
 import { fixed, length, percent, significantText } from "../format.js";
 import { symbol } from "../icons.js";
+import { nearestFraction, placeOn } from "../spline.js";
+import { mixAt } from "../state/composition.js";
 import { numberNode } from "../number-node.js";
-import { currentMatch } from "../state/app.js";
+import { curveName, currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
+import { shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { toPlane, toScreen } from "../view.js";
 
@@ -20,6 +23,11 @@ const EDGE = 8;
 const ALONG = 0.05;
 /** Materials named in the card. */
 const NAMED = 3;
+/** Pixels from a curve at which the curve itself is read, and how far into the band its nearest line is looked for. */
+const ON_CURVE = 6;
+const INTO = [1, 3];
+/** Milliseconds that the pointer rests before its reading is spoken. */
+const REST = 600;
 
 /** @param {App} app */
 export function createProbe(app) {
@@ -38,20 +46,24 @@ export function createProbe(app) {
   find("#overlay").before(marks);
   find("#picture").after(keyboard, h("p", { id: "probe-help", class: "spoken" }, strings.canvas.probeHelp));
 
-  /** @type {Probe | null} */
+  /** @type {Reading | null} */
   let shown = null;
   let wanted = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let rest;
 
-  /** @type {Lane<Point, {probe: Probe | null, turn: number}>} */
+  /** @type {Lane<Point, {probe: Reading | null, turn: number}>} */
   const lane = new Lane({
     work: async (at, signal) => {
       const turn = wanted;
       const document = app.store.document;
-      const probe = await app.kernel.probe(document, at, { signal });
+      const probe = (await app.kernel.probe(document, at, { signal })) ?? (await readCurve(document, at, signal));
       return { probe: app.store.document === document ? probe : null, turn };
     },
     done: ({ probe, turn }) => {
-      if (turn === wanted) app.ui.set({ probe });
+      if (turn !== wanted) return;
+      app.ui.set({ probe });
+      if (probe) rest = setTimeout(() => app.say(spokenFractions(app, probe)), REST);
     },
     failed: () => app.ui.set({ probe: null }),
   });
@@ -60,8 +72,36 @@ export function createProbe(app) {
   function hover(at) {
     const { view, size, probe } = app.ui.value;
     wanted += 1;
-    if (at && view && currentMatch(app)?.lines.length) lane.push(toPlane(view, size, at));
+    clearTimeout(rest);
+    if (at && view && shownLines(currentMatch(app)).length > 0) lane.push(toPlane(view, size, at));
     else if (probe) app.ui.set({ probe: null });
+  }
+
+  /**
+   * The composition on a curve itself, which runs a hair beside the sampled band, and the ruling line nearest to it.
+   * @param {CurvesDocument} document
+   * @param {Point} at
+   * @param {AbortSignal} signal
+   * @returns {Promise<Reading | null>}
+   */
+  async function readCurve(document, at, signal) {
+    const scale = app.ui.value.view?.scale ?? 0;
+    for (const curve of /** @type {const} */ ([0, 1])) {
+      const shape = document.curves[curve];
+      if (!shape) continue;
+      const fraction = nearestFraction(shape, at);
+      const place = placeOn(shape, fraction);
+      const [dx, dy] = [place.at[0] - at[0], place.at[1] - at[1]];
+      if (Math.hypot(dx, dy) * scale > ON_CURVE) continue;
+      for (const by of INTO.flatMap((pixels) => [pixels / scale, -pixels / scale])) {
+        const inside = /** @type {Point} */ ([0, 1].map((axis) => place.at[axis] + by * place.normal[axis]));
+        const found = await app.kernel.probe(document, inside, { signal });
+        if (!found) continue;
+        const fractions = mixAt(shape.composition, fraction);
+        return { ...found, s: curve, at: place.at, fractions, boundary: { curve, at: fraction } };
+      }
+    }
+    return null;
   }
 
   /**
@@ -70,21 +110,21 @@ export function createProbe(app) {
    * @param {number} s
    */
   async function read(line, s) {
-    const match = currentMatch(app);
-    const chosen = match?.lines[line];
-    const from = chosen && match?.samples[0]?.points[chosen.from];
-    const to = chosen && match?.samples[1]?.points[chosen.to];
-    if (!from || !to) return;
+    const chosen = shownLines(currentMatch(app))[line];
+    if (!chosen) return;
+    const { from, to } = chosen;
     wanted += 1;
     const turn = wanted;
     const at = /** @type {Point} */ ([from[0] + (to[0] - from[0]) * s, from[1] + (to[1] - from[1]) * s]);
     const found = await app.kernel.probe(app.store.document, at).catch(() => null);
     if (turn !== wanted || !found) return;
-    app.ui.set({ probe: { ...found, line, s, at, from, to } });
+    const probe = { ...found, line, s, at, from, to };
+    app.ui.set({ probe });
+    app.say(spokenFractions(app, probe));
   }
 
   keyboard.addEventListener("keydown", (event) => {
-    const lines = currentMatch(app)?.lines.length ?? 0;
+    const lines = shownLines(currentMatch(app)).length;
     if (lines === 0 || event.ctrlKey || event.metaKey) return;
     const { probe } = app.ui.value;
     const line = probe?.line ?? 0;
@@ -106,7 +146,7 @@ export function createProbe(app) {
 
     render() {
       const { probe, view, size } = app.ui.value;
-      const lines = currentMatch(app)?.lines.length ?? 0;
+      const lines = shownLines(currentMatch(app)).length;
       attribute(keyboard, "aria-valuemax", String(Math.max(1, lines)));
       attribute(keyboard, "aria-valuenow", String((probe?.line ?? 0) + 1));
       attribute(keyboard, "aria-valuetext", probe ? spoken(app, probe) : strings.probe.line(1));
@@ -130,7 +170,17 @@ function along([a = [0, 0], b = a], s) {
   return [a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s];
 }
 
-/** @param {App} app @param {Probe} probe */
+/** The composition in words. @param {App} app @param {Reading} probe */
+function spokenFractions(app, { fractions, s, boundary }) {
+  const { document } = app.store;
+  const place = boundary
+    ? `${strings.probe.onCurve(curveName(document, boundary.curve))} ${strings.probe.at} ${fixed(boundary.at, 3)}`
+    : `s ${fixed(s, 2)}`;
+  const parts = fractions.map((f, i) => ({ f, name: document.materials[i]?.name ?? "" })).filter(({ f }) => f >= 5e-4);
+  return strings.probe.spoken([place, ...parts.map(({ f, name }) => strings.mixing.share(name, percent(f)))]);
+}
+
+/** @param {App} app @param {Reading} probe */
 function spoken(app, probe) {
   const { materials, unit } = app.store.document;
   return strings.probe.spoken([
@@ -142,7 +192,7 @@ function spoken(app, probe) {
   ]);
 }
 
-/** @param {HTMLElement} card @param {App} app @param {Probe} probe */
+/** @param {HTMLElement} card @param {App} app @param {Reading} probe */
 function fill(card, app, probe) {
   const { materials, unit } = app.store.document;
   const entry = (/** @type {(Node | string)[]} */ label, /** @type {Node | string} */ value) =>
@@ -161,11 +211,16 @@ function fill(card, app, probe) {
     .slice(0, NAMED)
     .sort((a, b) => a.i - b.i);
   const short = largest.map(({ name }) => name).join("").length > 16;
+  const { boundary } = probe;
+  const name = boundary
+    ? strings.probe.onCurve(curveName(app.store.document, boundary.curve))
+    : strings.probe.line(probe.line + 1);
+  const place = boundary ? [`${strings.probe.at} ${fixed(boundary.at, 3)}`] : [symbol("s"), ` ${fixed(probe.s, 2)}`];
   const head = h(
     "div",
     { class: "probe-head" },
-    h("strong", {}, strings.probe.line(probe.line + 1)),
-    h("span", { class: "number" }, symbol("s"), ` ${fixed(probe.s, 2)}`),
+    h("strong", {}, name),
+    h("span", { class: "number" }, ...place),
   );
   card.replaceChildren(
     head,

@@ -1,14 +1,14 @@
 /**
- * Fit, zoom buttons and scale bar.
+ * Fit, zoom, grid and snapping buttons, and the scale bar.
  *
  * @import { App } from "../state/app.js"
  * @import { Point } from "../types.js"
  */
-import { find, h, write } from "../dom.js";
+import { commandNamed, commandText, commandTitle, runCommand } from "../commands.js";
+import { attribute, find, h, write } from "../dom.js";
 import { fixed, percent } from "../format.js";
 import { icon } from "../icons.js";
 import { devicePixels } from "../painter.js";
-import { strings } from "../strings.js";
 import { niceBelow, zoomed } from "../view.js";
 
 /** Zoom of one press of a button or key, and how far from the fitted scale one can go. */
@@ -56,17 +56,25 @@ export function zoomBy(app, steps) {
 /** @param {App} app */
 export function createZoom(app) {
   const percentage = h("span", { class: "zoom-value number" });
-  const button = (/** @type {string} */ name, /** @type {string} */ label, /** @type {() => void} */ act) =>
-    h(
+  const button = (/** @type {string} */ face, /** @type {string} */ command) => {
+    const element = h(
       "button",
-      { type: "button", class: "bare icon-only", "aria-label": label, title: label, "data-zoom": name, onclick: act },
-      icon(name),
+      { type: "button", class: "bare icon-only", "data-zoom": face, onclick: () => void runCommand(app, command) },
+      icon(face),
     );
+    const label = commandText(app, command);
+    attribute(element, "aria-label", label);
+    attribute(element, "title", commandTitle(app, command));
+    return { element, command };
+  };
+  const switches = [button("grid", "grid"), button("snap", "snap")];
   find("#zoom").append(
-    button("minus", strings.canvas.zoomOut, () => zoomBy(app, -1)),
+    ...switches.map(({ element }) => element),
+    h("span", { class: "zoom-line", "aria-hidden": "true" }),
+    button("minus", "zoom-out").element,
     percentage,
-    button("plus", strings.canvas.zoomIn, () => zoomBy(app, 1)),
-    button("fit", strings.canvas.fit, () => void fit(app)),
+    button("plus", "zoom-in").element,
+    button("fit", "fit").element,
   );
   const text = h("span", { class: "number" });
   const bar = h("span", { class: "scale-line" });
@@ -75,6 +83,9 @@ export function createZoom(app) {
   return {
     render() {
       const { view, fitScale, size } = app.ui.value;
+      for (const { element, command } of switches) {
+        attribute(element, "aria-pressed", String(commandNamed(command).on?.(app) ?? false));
+      }
       if (!view) return;
       write(percentage, percent(view.scale / fitScale));
       const length = niceBelow((size.width < NARROW ? SHORT_BAR : BAR) / view.scale);

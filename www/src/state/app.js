@@ -1,27 +1,34 @@
 /**
  * What every part of the page is given: the document store, what is shown besides it, and the results.
  *
- * @import { CurvesDocument, Kernel, LayerName, Match, Picture, Point, Probe, Problem, Selection, Size, View } from "../types.js"
+ * @import { CurvesDocument, Kernel, LayerName, Match, Picture, Point, Problem, Reading, Selection, Size, View } from "../types.js"
  *
  * @typedef {object} Note A sentence in the status line that stands until the next edit.
  * @property {"plain" | "error"} tone
  * @property {string} text
  *
  * @typedef {object} Ui
- * @property {Selection | null} selection
+ * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit
  * @property {boolean} fitted the view follows the size of the window
  * @property {number} fitScale the scale that counts as 100 %
  * @property {Size} size of the canvas
  * @property {LayerName[]} layers
+ * @property {number} isoMaterial index of the material whose lines of equal fraction are shown
+ * @property {boolean} stageLabels whether the in-betweens have names
+ * @property {boolean} composing whether composition keys stand on the curves in place of the control points
+ * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
+ * @property {boolean} unkept the browser's storage did not take the document
  * @property {"light" | "dark"} theme
- * @property {Probe | null} probe
+ * @property {Reading | null} probe
  * @property {Point | null} witness a place the person asked to see
  * @property {Note | null} note
  * @property {string[]} open names of the open groups
  * @property {string} tab the group shown on a phone
+ * @property {boolean} snap dragged points rest on the grid
+ * @property {boolean} drawing a tool has the canvas, and the handles stand back
  *
  * @typedef {object} Results
  * @property {CurvesDocument | null} matched the document that `match` or `problem` belongs to
@@ -37,9 +44,23 @@
  * @property {import("./record.js").Record<Ui>} ui
  * @property {import("./record.js").Record<Results>} results
  * @property {Kernel} kernel
+ * @property {import("../storage/keeper.js").Keeper} keeper
  * @property {(text: string) => void} say speaks through the live region
  * @property {() => void} retry asks for the picture again
  * @property {() => void} cancel gives up running work
+ * @property {Tool | null} tool what has the canvas instead of the handles
+ *
+ * @typedef {object} Tool
+ * @property {(at: Point | null) => void} hover CSS pixels, null when the pointer leaves
+ * @property {(at: Point, event: PointerEvent) => void} tap a press and release in one place
+ * @property {(at: Point) => Stroke | null} stroke what a press begins that moves on; null to pan
+ * @property {() => void} render
+ * @property {() => void} close gives up
+ *
+ * @typedef {object} Stroke
+ * @property {(at: Point) => void} to
+ * @property {() => void} end
+ * @property {() => void} undo
  */
 import { strings } from "../strings.js";
 
@@ -55,6 +76,7 @@ export const LAYERS = /** @type {const} */ ([
   "value",
   "unitCells",
   "unconnected",
+  "isoComposition",
 ]);
 
 /** @type {readonly LayerName[]} */
@@ -79,6 +101,7 @@ export const NO_RESULTS = {
 export function curveName(document, index) {
   const own = document.curves[index]?.name;
   if (own) return own;
+  if (document.curves.length < 2) return strings.curves.one;
   const reach = document.curves.map(({ points }) => {
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);

@@ -1,12 +1,9 @@
 /**
  * Edits as pure functions from one document to the next.
  *
- * @import { Curve, CurvesDocument, Matching, Point, Sampling, Blend, Material } from "../types.js"
+ * @import { Curve, CurvesDocument, Matching, Point, Sampling, Blend } from "../types.js"
  */
 import { dropKnot } from "../spline.js";
-
-/** Most materials the format allows. */
-export const MATERIAL_LIMIT = 16;
 
 /**
  * Control points that have a handle: a clamped curve repeats its first point at the end, and both share one.
@@ -17,11 +14,12 @@ export function handleCount(curve) {
 }
 
 /**
- * Whether a control point can go: a closed curve of degree p keeps at least p + 1.
+ * Whether control points can go: a closed curve of degree p keeps at least p + 1, and three handles.
  * @param {Curve} curve
+ * @param {number} [count]
  */
-export function canRemovePoint(curve) {
-  return curve.points.length > curve.degree + 1 && handleCount(curve) > 3;
+export function canRemovePoints(curve, count = 1) {
+  return curve.points.length - count > curve.degree && handleCount(curve) - count >= 3;
 }
 
 /**
@@ -31,11 +29,35 @@ export function canRemovePoint(curve) {
  * @returns {CurvesDocument}
  */
 export function changeCurve(document, index, change) {
-  const curve = /** @type {Curve} */ (document.curves[index]);
+  const curve = document.curves[index];
+  if (!curve) return document;
   const next = change(curve);
   if (next === curve) return document;
-  const curves = /** @type {[Curve, Curve]} */ (document.curves.map((other, i) => (i === index ? next : other)));
-  return { ...document, curves };
+  return { ...document, curves: document.curves.map((other, i) => (i === index ? next : other)) };
+}
+
+/**
+ * Puts some control points of a curve elsewhere. The last point of a clamped curve goes with the first.
+ * @param {CurvesDocument} document
+ * @param {number} index
+ * @param {readonly number[]} points
+ * @param {(at: Point) => Point} place
+ */
+export function placePoints(document, index, points, place) {
+  return changeCurve(document, index, (curve) => {
+    const chosen = new Set(points);
+    const last = curve.points.length - 1;
+    if (curve.form === "clamped" && chosen.has(0)) chosen.add(last);
+    let moved = false;
+    const next = curve.points.map((from, i) => {
+      if (!chosen.has(i)) return from;
+      const [x, y] = place(from);
+      if (x === from[0] && y === from[1]) return from;
+      moved = true;
+      return /** @type {Point} */ ([x, y]);
+    });
+    return moved ? { ...curve, points: next } : curve;
+  });
 }
 
 /**
@@ -45,47 +67,43 @@ export function changeCurve(document, index, change) {
  * @param {Point} to
  */
 export function movePoint(document, index, point, to) {
-  return changeCurve(document, index, (curve) => {
-    const from = curve.points[point];
-    if (!from || (from[0] === to[0] && from[1] === to[1])) return curve;
-    const seam = curve.form === "clamped" && point === 0 ? curve.points.length - 1 : point;
-    /** @type {Point[]} */
-    const points = curve.points.map((p, i) => (i === point || i === seam ? [to[0], to[1]] : p));
-    return { ...curve, points };
-  });
+  return placePoints(document, index, [point], () => to);
 }
 
 /**
  * @param {CurvesDocument} document
  * @param {number} index
+ * @param {readonly number[]} points
  * @param {Point} by
  */
-export function moveCurve(document, index, by) {
-  if (by[0] === 0 && by[1] === 0) return document;
-  return changeCurve(document, index, (curve) => ({
-    ...curve,
-    points: curve.points.map(([x, y]) => /** @type {Point} */ ([tidy(x + by[0]), tidy(y + by[1])])),
-  }));
+export function movePoints(document, index, points, by) {
+  return placePoints(document, index, points, ([x, y]) => [tidy(x + by[0]), tidy(y + by[1])]);
 }
 
 /**
- * Takes a control point away, and the knot that belonged to it.
+ * Takes control points away, each with the knot that belonged to it; all of them, or none where too few would be left.
  * @param {CurvesDocument} document
  * @param {number} index
- * @param {number} point
+ * @param {readonly number[]} points
  */
-export function removePoint(document, index, point) {
+export function removePoints(document, index, points) {
   return changeCurve(document, index, (curve) => {
-    if (!canRemovePoint(curve) || point >= handleCount(curve)) return curve;
-    let points = curve.points.filter((_, i) => i !== point);
-    if (curve.form === "clamped" && point === 0) {
-      const first = /** @type {Point} */ (points[0]);
-      points = [...points.slice(0, -1), [first[0], first[1]]];
-    }
-    const { knots: _, ...rest } = curve;
-    const knots = dropKnot(curve, point);
-    return knots ? { ...rest, points, knots } : { ...rest, points };
+    if (points.length === 0 || !canRemovePoints(curve, points.length)) return curve;
+    return [...points].sort((a, b) => b - a).reduce(withoutPoint, curve);
   });
+}
+
+/**
+ * @param {Curve} curve
+ * @param {number} point
+ * @returns {Curve}
+ */
+function withoutPoint(curve, point) {
+  let points = curve.points.filter((_, i) => i !== point);
+  if (curve.form === "clamped" && point === 0) points = [...points.slice(0, -1), [points[0][0], points[0][1]]];
+  const { knots: _, ...rest } = curve;
+  const knots = dropKnot(curve, point);
+  return knots ? { ...rest, points, knots } : { ...rest, points };
 }
 
 /**
@@ -97,73 +115,6 @@ export function removePoint(document, index, point) {
  */
 export function patch(document, part, patch) {
   return { ...document, [part]: { ...document[part], ...patch } };
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {number} index
- * @param {Partial<Material>} change
- * @returns {CurvesDocument}
- */
-export function changeMaterial(document, index, change) {
-  const materials = document.materials.map((material, i) => (i === index ? { ...material, ...change } : material));
-  return { ...document, materials };
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {Material} material
- * @returns {CurvesDocument}
- */
-export function addMaterial(document, material) {
-  if (document.materials.length >= MATERIAL_LIMIT) return document;
-  return withMixes({ ...document, materials: [...document.materials, material] }, (mix) => [...mix, 0]);
-}
-
-/**
- * Takes a material away that no curve holds; otherwise the document stays as it is.
- * @param {CurvesDocument} document
- * @param {number} index
- */
-export function removeMaterial(document, index) {
-  if (document.materials.length < 2 || document.curves.some((curve) => holds(curve, index))) return document;
-  const materials = document.materials.filter((_, i) => i !== index);
-  return withMixes({ ...document, materials }, (mix) => mix.filter((_, i) => i !== index));
-}
-
-/**
- * Gives the whole of a curve one material.
- * @param {CurvesDocument} document
- * @param {number} index
- * @param {number} material
- */
-export function assignMaterial(document, index, material) {
-  const mix = document.materials.map((_, i) => (i === material ? 1 : 0));
-  return changeCurve(document, index, (curve) => ({ ...curve, composition: [{ at: 0, mix }] }));
-}
-
-/**
- * Whether some place of the curve holds some of the material.
- * @param {Curve} curve
- * @param {number} material
- */
-export function holds(curve, material) {
-  return curve.composition.some((key) => (key.mix[material] ?? 0) > 0);
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {(mix: number[]) => number[]} change
- * @returns {CurvesDocument}
- */
-function withMixes(document, change) {
-  const curves = /** @type {[Curve, Curve]} */ (
-    document.curves.map((curve) => ({
-      ...curve,
-      composition: curve.composition.map((key) => ({ ...key, mix: change(key.mix) })),
-    }))
-  );
-  return { ...document, curves };
 }
 
 /**

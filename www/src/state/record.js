@@ -26,8 +26,12 @@ export class Record {
     for (const listener of this.#listeners) listener(this.#value, before);
   }
 
-  /** @param {(value: Readonly<T>, before: Readonly<T>) => void} listener */
+  /**
+   * @param {(value: Readonly<T>, before: Readonly<T>) => void} listener
+   * @returns {() => void} ends it
+   */
   subscribe(listener) {
     this.#listeners.add(listener);
+    return () => void this.#listeners.delete(listener);
   }
 }

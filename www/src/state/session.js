@@ -8,18 +8,19 @@
  * @property {CurvesDocument} document
  * @property {boolean} edited
  * @property {Partial<Ui>} ui
+ * @property {import("../storage/keeper.js").Kept | null} kept where the browser's storage has the document
  */
 
 /** Milliseconds of rest before the work is kept. */
 const PAUSE = 800;
-const VERSION = 1;
+const VERSION = 2;
 
 /** @returns {Session | null} */
 export function restore() {
   const state = history.state;
   if (typeof state !== "object" || state === null || state.directrix !== VERSION) return null;
-  const { document, edited, ui } = state;
-  return document && ui ? { document, edited: edited === true, ui } : null;
+  const { document, edited, ui, kept } = state;
+  return document && ui ? { document, edited: edited === true, ui, kept: kept ?? null } : null;
 }
 
 /** @param {App} app */
@@ -28,14 +29,15 @@ export function keep(app) {
   let timer;
   const write = () => {
     clearTimeout(timer);
-    const { selection, view, fitted, fitScale, layers, s, open, tab } = app.ui.value;
+    const { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
           directrix: VERSION,
           document: app.store.document,
           edited: app.store.edited,
-          ui: { selection, view, fitted, fitScale, layers, s, open, tab },
+          kept: app.keeper.kept(),
+          ui: { selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
         },
         "",
       );
@@ -48,10 +50,13 @@ export function keep(app) {
     timer = setTimeout(write, PAUSE);
   };
   app.store.subscribe(later);
+  app.keeper.subscribe(write);
   app.ui.subscribe((ui, before) => {
     if (ui.playing && ui.s !== before.s) return;
     if (ui.probe !== before.probe && ui.view === before.view) return;
     later();
   });
+  // When the page is hidden it may be too late for a reload, which has read the entry by then.
+  addEventListener("beforeunload", write);
   addEventListener("pagehide", write);
 }

@@ -1,16 +1,15 @@
-//! Thin lines and dots: coverage from the distance to the line.
+//! Lines, dashes and dots: coverage from the distance to the line.
 //!
-//! A figure has hundreds of curve pieces a few pixels long. Outlining and supersampling them, as the general rasteriser does, took more than
+//! A figure has hundreds of curve pieces a few pixels long. Outlining and filling them, as a general rasteriser does, took more than
 //! twice as long as measuring the distance of each nearby pixel to each piece. Joins and ends come out round, pieces that meet or cross are
-//! united (the largest coverage counts), so a translucent line has no darker joints, and a closed line has no seam.
+//! united (the largest coverage counts), so a translucent line has no darker joints, and a closed line has no seam. The cost of a piece grows
+//! with its length times its width, and for short pieces with the square of the width.
 
 use std::ops::Range;
 
 use glam::{DVec2, Vec2};
 
-/// Lines up to this width are drawn here, in device pixels. The cost of a piece grows with the square of the width, so that wider lines
-/// are better outlined.
-pub(super) const WIDEST: f32 = 12.0;
+use super::dash::Stretch;
 
 /// Pixels looked at together for one that is covered.
 const BLOCK: usize = 32;
@@ -18,32 +17,36 @@ const BLOCK: usize = 32;
 /// Half the diagonal of a pixel.
 const HALF_DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Coverage of the pixels of a picture, empty between two uses.
-pub(super) struct ThinLines {
+/// Coverage of some rows of a picture, empty between two uses.
+pub(super) struct Lines {
     width: usize,
+    rows: Range<usize>,
     coverage: Vec<u8>,
     /// Rows that may be covered.
-    rows: Range<usize>,
+    touched: Range<usize>,
 }
 
-impl ThinLines {
-    /// For pictures of the given size.
-    pub(super) fn new(width: u32, height: u32) -> Self {
-        let (width, height) = (width as usize, height as usize);
-        Self { width, coverage: vec![0; width * height], rows: height..0 }
+impl Lines {
+    /// For some rows of a picture of the given width.
+    pub(super) fn new(width: usize, rows: Range<usize>) -> Self {
+        let coverage = vec![0; width * rows.len()];
+        Self { width, touched: rows.end..rows.start, rows, coverage }
     }
 
-    /// Adds the pixels within half the width of the segment; `a` may equal `b`. Both must be near the picture.
-    pub(super) fn add(&mut self, a: DVec2, b: DVec2, width: f32) {
-        let height = self.coverage.len() / self.width;
+    /// Adds the pixels within half the width of a stretch of a line, a dot when it has no length. It must be near the picture.
+    pub(super) fn add(&mut self, stretch: &Stretch, width: f32) {
+        let Stretch { from: a, to: b, .. } = *stretch;
         let reach = f64::from(width) / 2.0 + HALF_DIAGONAL;
         let (low, high) = (a.min(b) - reach, a.max(b) + reach);
-        let rows = pixels(low.y, high.y, height);
+        let rows = pixels(low.y, high.y, &self.rows);
+        if rows.is_empty() {
+            return;
+        }
         let length = a.distance(b);
         let along = if length > 0.0 { (b - a) / length } else { DVec2::X };
         // Where the strip of all points within reach of the line crosses a row of centres.
         let half_run = if along.y.abs() > 1e-9 { reach / along.y.abs() } else { f64::INFINITY };
-        let profile = Profile::new(along.as_vec2(), length as f32, width);
+        let profile = Profile::new(along.as_vec2(), length as f32, width, stretch.is_cut);
         for y in rows.clone() {
             let center_y = y as f64 + 0.5;
             let (left, right) = if half_run.is_finite() {
@@ -52,23 +55,22 @@ impl ThinLines {
             } else {
                 (low.x, high.x)
             };
-            let columns = pixels(left, right, self.width);
+            let columns = pixels(left, right, &(0..self.width));
             let from_a = DVec2::new(columns.start as f64 + 0.5 - a.x, center_y - a.y).as_vec2();
-            let row = &mut self.coverage[y * self.width..(y + 1) * self.width];
+            let start = (y - self.rows.start) * self.width;
+            let row = &mut self.coverage[start..start + self.width];
             for (i, value) in row[columns].iter_mut().enumerate() {
                 *value = profile.coverage(from_a + Vec2::new(i as f32, 0.0)).max(*value);
             }
         }
-        if !rows.is_empty() {
-            self.rows = self.rows.start.min(rows.start)..self.rows.end.max(rows.end);
-        }
+        self.touched = self.touched.start.min(rows.start)..self.touched.end.max(rows.end);
     }
 
-    /// Hands each covered pixel to `paint`, as its index and coverage, and empties the coverage.
+    /// Hands each covered pixel to `paint`, as its index from the first of the rows and its coverage, and empties the coverage.
     pub(super) fn drain(&mut self, mut paint: impl FnMut(usize, u8)) {
-        let first = self.rows.start * self.width;
-        let end = (self.rows.end * self.width).max(first);
-        for (block, covers) in self.coverage[first..end].chunks_mut(BLOCK).enumerate() {
+        let first = (self.touched.start - self.rows.start) * self.width;
+        let end = (self.touched.end - self.rows.start) * self.width;
+        for (block, covers) in self.coverage[first.min(end)..end].chunks_mut(BLOCK).enumerate() {
             if !is_clear(covers) {
                 for (i, cover) in covers.iter_mut().enumerate().filter(|(_, cover)| **cover > 0) {
                     paint(first + block * BLOCK + i, *cover);
@@ -76,7 +78,7 @@ impl ThinLines {
                 }
             }
         }
-        self.rows = self.coverage.len() / self.width..0;
+        self.touched = self.rows.end..self.rows.start;
     }
 }
 
@@ -90,6 +92,8 @@ struct Profile {
     along: Vec2,
     length: f32,
     half_width: f32,
+    /// Whether start and end are cut straight across.
+    is_cut: [bool; 2],
     pixel: Pixel,
 }
 
@@ -108,17 +112,18 @@ struct Pixel {
 }
 
 impl Profile {
-    fn new(along: Vec2, length: f32, width: f32) -> Self {
-        Self { along, length, half_width: width / 2.0, pixel: Pixel::facing(along) }
+    fn new(along: Vec2, length: f32, width: f32, is_cut: [bool; 2]) -> Self {
+        Self { along, length, half_width: width / 2.0, is_cut, pixel: Pixel::facing(along) }
     }
 
     /// How much of a pixel the segment covers; the place is relative to its start. Exact beside the segment, where it reaches far enough
-    /// both ways; at the ends the round border is taken as straight over a pixel.
+    /// both ways; at round ends the border is taken as straight over a pixel, and at a cut the shares across and along are multiplied.
     fn coverage(&self, place: Vec2) -> u8 {
         let t = self.along.dot(place);
-        let beyond = if t < 0.0 {
+        let [cut_start, cut_end] = self.is_cut;
+        let beyond = if t < 0.0 && !cut_start {
             t
-        } else if t > self.length {
+        } else if t > self.length && !cut_end {
             t - self.length
         } else {
             0.0
@@ -134,7 +139,13 @@ impl Profile {
             let end = if t < 0.0 { 0.0 } else { self.length };
             (distance, Pixel::facing((place - self.along * end) / distance))
         };
-        let share = pixel.inside(self.half_width + distance) - pixel.inside(distance - self.half_width);
+        let mut share = pixel.inside(self.half_width + distance) - pixel.inside(distance - self.half_width);
+        if cut_start {
+            share *= self.pixel.inside(t);
+        }
+        if cut_end {
+            share *= self.pixel.inside(self.length - t);
+        }
         (share * 255.0 + 0.5) as u8
     }
 }
@@ -163,9 +174,9 @@ impl Pixel {
     }
 }
 
-/// The pixels with centres between two coordinates, of a side of the picture.
-fn pixels(low: f64, high: f64, side: usize) -> Range<usize> {
-    let clip = |v: f64| (v - 0.5).ceil().clamp(0.0, side as f64) as usize;
+/// Those of some rows or columns whose centres lie between two coordinates.
+fn pixels(low: f64, high: f64, among: &Range<usize>) -> Range<usize> {
+    let clip = |v: f64| (v - 0.5).ceil().clamp(among.start as f64, among.end as f64) as usize;
     let (first, end) = (clip(low), clip(high));
     first..end.max(first)
 }
@@ -176,15 +187,18 @@ mod tests {
 
     type Place = (f64, f64);
 
-    fn coverage(segments: &[(Place, Place)], width: f32) -> Vec<u8> {
-        let mut lines = ThinLines::new(32, 32);
-        for &(a, b) in segments {
-            lines.add(a.into(), b.into(), width);
-        }
+    fn coverage_of(stretches: &[Stretch], width: f32) -> Vec<u8> {
+        let mut lines = Lines::new(32, 0..32);
+        stretches.iter().for_each(|stretch| lines.add(stretch, width));
         let mut found = vec![0; 32 * 32];
         lines.drain(|i, cover| found[i] = cover);
         lines.drain(|i, _| panic!("pixel {i} was left"));
         found
+    }
+
+    fn coverage(segments: &[(Place, Place)], width: f32) -> Vec<u8> {
+        let stretch = |&(from, to): &(Place, Place)| Stretch::round(from.into(), to.into());
+        coverage_of(&segments.iter().map(stretch).collect::<Vec<_>>(), width)
     }
 
     #[test]
@@ -235,5 +249,41 @@ mod tests {
         assert!(
             coverage(&[((-500.0, 16.5), (500.0, 16.5))], 1.0)[16 * 32..17 * 32].iter().all(|&c| c == 255)
         );
+    }
+    /// A stretch with cut ends covers a rectangle, whatever its direction.
+    #[test]
+    fn cut_ends_are_straight() {
+        for i in 0..48 {
+            let direction = DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 48.0);
+            for (width, length) in [(1.0_f32, 6.0), (4.0, 3.0), (9.0, 12.5)] {
+                let middle = DVec2::new(16.2, 15.9);
+                let half = direction * length / 2.0;
+                let stretch = Stretch { from: middle - half, to: middle + half, is_cut: [true; 2] };
+                let found = coverage_of(&[stretch], width);
+                let sum: f64 = found.iter().map(|&c| f64::from(c) / 255.0).sum();
+                let area = f64::from(width) * length;
+                assert!((sum - area).abs() < 0.01 * area + 0.1, "{i}, width {width}: {sum}, expected {area}");
+            }
+        }
+        let from = DVec2::new(8.0, 16.5);
+        let stretch = Stretch { from, to: from + DVec2::new(4.25, 0.0), is_cut: [true, true] };
+        let row = &coverage_of(&[stretch], 1.0)[16 * 32 + 6..16 * 32 + 14];
+        assert_eq!(row, [0, 0, 255, 255, 255, 255, 64, 0]);
+    }
+
+    #[test]
+    fn rows_painted_apart_are_the_rows_painted_together() {
+        let stretches = [((3.0, 2.0), (29.0, 30.0)), ((30.0, 7.5), (2.0, 9.0)), ((16.0, 16.0), (16.0, 16.0))]
+            .map(|(from, to): (Place, Place)| Stretch::round(from.into(), to.into()));
+        let whole = coverage_of(&stretches, 5.0);
+        let mut parts = Vec::new();
+        for rows in [0..7, 7..8, 8..32] {
+            let mut lines = Lines::new(32, rows.clone());
+            stretches.iter().for_each(|stretch| lines.add(stretch, 5.0));
+            let mut part = vec![0; 32 * rows.len()];
+            lines.drain(|i, cover| part[i] = cover);
+            parts.extend(part);
+        }
+        assert_eq!(parts, whole);
     }
 }

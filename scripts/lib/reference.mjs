@@ -1,0 +1,117 @@
+/** The tables of `docs/reference-curves.md`: what every method makes of every preset. */
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { root } from "./paths.mjs";
+
+/**
+ * @typedef {import("../../js/directrix.js").Directrix} Directrix
+ * @typedef {import("../../js/directrix.js").CurvesDocument} CurvesDocument
+ *
+ * @typedef {object} Preset
+ * @property {string} id
+ * @property {string} title
+ * @property {string} line why it matters
+ * @property {CurvesDocument} document
+ */
+
+/** The page that holds the tables. */
+export const referencePage = join(root, "docs/reference-curves.md");
+
+const begin = (/** @type {string} */ name) => `<!-- ${name}: written by npm run reference -->`;
+const end = (/** @type {string} */ name) => `<!-- end of ${name} -->`;
+
+/**
+ * The page with its tables made anew.
+ *
+ * @param {Directrix} dx
+ * @returns {Promise<string>}
+ */
+export async function reference(dx) {
+  const presets = await readPresets();
+  const tables = { pairs: pairsTable(presets), greedy: greedyTable(dx, presets) };
+  let page = await readFile(referencePage, "utf8");
+  for (const [name, table] of Object.entries(tables)) {
+    const [before, rest] = page.split(begin(name));
+    const after = rest?.split(end(name))[1];
+    if (after === undefined) throw new Error(`${referencePage} has no place for the table "${name}"`);
+    page = `${before}${begin(name)}\n${table}\n${end(name)}${after}`;
+  }
+  return page;
+}
+
+/** @returns {Promise<Preset[]>} */
+async function readPresets() {
+  const read = async (/** @type {string} */ file) => JSON.parse(await readFile(join(root, "www/presets", file), "utf8"));
+  /** @type {Omit<Preset, "document">[]} */
+  const index = await read("index.json");
+  return Promise.all(index.map(async (preset) => ({ ...preset, document: await read(`${preset.id}.json`) })));
+}
+
+/** @param {Preset[]} presets */
+function pairsTable(presets) {
+  const rows = presets.map(({ id, title, line, document }) => [
+    `<img src="../tests/golden/preset-${id}.png" width="120" alt="">`,
+    `[${title}](../www/presets/${id}.json)`,
+    document.curves.map(({ degree, points }) => `${points.length} (${degree})`).join(", "),
+    document.sampling?.counts?.join(" : ") ?? "",
+    line,
+  ]);
+  return table(["", "pair", "control points (degree)", "samples", "what it is for"], ["", "", "", "", ""], rows);
+}
+
+/**
+ * @param {Directrix} dx
+ * @param {Preset[]} presets
+ */
+function greedyTable(dx, presets) {
+  const rows = presets.map(({ title, document }) => {
+    const { growth, lines } = dx.match(document).totals;
+    if (!growth || !lines) throw new Error(`${title} has no lines`);
+    const { count, sum, mean, integral, eta, crossings, blocked, uncovered } = lines;
+    return [
+      title,
+      `${growth.count}`,
+      scientific(growth.sum),
+      `${count}`,
+      scientific(sum),
+      scientific(mean),
+      scientific(integral),
+      decimals(eta),
+      `${crossings}`,
+      `${blocked}`,
+      `${uncovered[0].length} + ${uncovered[1].length}`,
+    ];
+  });
+  const head = ["pair", "grown", "Σ f", "lines", "Σ f", "mean f", "J", "η", "crossings", "blocked", "uncovered"];
+  return table(head, ["", ...head.slice(1).map(() => "right")], rows);
+}
+
+/**
+ * A table in Markdown.
+ *
+ * @param {string[]} head
+ * @param {string[]} sides "right" for columns of numbers
+ * @param {string[][]} rows
+ */
+function table(head, sides, rows) {
+  const line = (/** @type {string[]} */ cells) => `| ${cells.join(" | ")} |`;
+  return [line(head), `|${sides.map((side) => (side === "right" ? "---:" : "---")).join("|")}|`, ...rows.map(line)].join("\n");
+}
+
+const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/**
+ * Four significant figures, such as 1.397 × 10⁻³; a dash for what there is not.
+ *
+ * @param {number | null} value
+ */
+function scientific(value) {
+  if (value === null) return "–";
+  if (value >= 0.01 && value < 1000) return value.toPrecision(4);
+  const [mantissa, exponent] = value.toExponential(3).split("e");
+  const power = [...exponent.replace("+", "")].map((digit) => (digit === "-" ? "⁻" : raised[Number(digit)])).join("");
+  return `${mantissa.replace("-", "−")} × 10${power}`;
+}
+
+/** @param {number | null} value */
+const decimals = (value) => (value === null ? "–" : value.toFixed(4));

@@ -1,0 +1,30 @@
+/** The published reference set: its tables say what the package gives. */
+import assert from "node:assert/strict";
+import { access, readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { load } from "directrix";
+import { reference, referencePage } from "../../scripts/lib/reference.mjs";
+
+const page = await readFile(referencePage, "utf8");
+
+test("docs/reference-curves.md is up to date: otherwise run npm run reference", async () => {
+  const dx = await load({ module: "figure" });
+  assert.deepEqual(page.split("\n"), (await reference(dx)).split("\n"));
+});
+
+test("its figures are those of the matching, and its links lead somewhere", async () => {
+  const dx = await load({ module: "figure" });
+  const index = JSON.parse(await readFile(new URL("../../www/presets/index.json", import.meta.url), "utf8"));
+  for (const { id, title } of index) {
+    const document = JSON.parse(await readFile(new URL(`../../www/presets/${id}.json`, import.meta.url), "utf8"));
+    const { lines } = dx.match(document).totals;
+    const row = page.split("\n").find((line) => line.startsWith(`| ${title} |`));
+    assert.ok(row && lines, title);
+    const cells = row.split("|").map((cell) => cell.trim());
+    assert.equal(Number(cells[4]), lines.count, title);
+    assert.ok(Number(cells[2]) >= lines.count, `${title}: growth is never smaller than what is left of it`);
+    if (lines.eta !== null) assert.ok(Math.abs(Number(cells[8]) - lines.eta) <= 5e-5, title);
+    assert.deepEqual([cells[9], cells[10]], ["0", "0"], title);
+  }
+  for (const [, path] of page.matchAll(/(?:\]\(|src=")(\.\.\/[^)"]+)/g)) await access(new URL(path, new URL("../../docs/", import.meta.url)));
+});

@@ -1,0 +1,2 @@
+/** The version in package.json, written in by Vite. */
+declare const __DIRECTRIX_VERSION__: string;
