@@ -34,6 +34,37 @@ pub(super) fn spread_evenly(
     })
 }
 
+/// Puts places that must be held among evenly spread ones: the nearest to each makes way, and so does every one that would be out of order.
+///
+/// Both lists ascend strictly in cyclic order, within a lap.
+pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
+    let laps = |by: f64| move |place: &[f64; 2]| place.map(|share| share + by);
+    for pin in held {
+        let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
+        // The translate of the pin that lies among the places.
+        let Some(first) = places.first().map(mean) else { return };
+        let pin = laps((first - mean(pin)).ceil())(pin);
+        let distance = |place: &[f64; 2]| {
+            let gap = (mean(place) - mean(&pin)).abs();
+            gap.min(1.0 - gap)
+        };
+        let nearest =
+            (0..places.len()).min_by(|&i, &k| distance(&places[i]).total_cmp(&distance(&places[k])));
+        if let Some(nearest) = nearest.filter(|_| places.len() > 1) {
+            places.remove(nearest);
+        }
+        let fits = |place: &[f64; 2]| {
+            [-1.0, 0.0, 1.0].into_iter().all(|lap| {
+                let [x, y] = laps(lap)(place);
+                (x < pin[0] && y < pin[1]) || (x > pin[0] && y > pin[1])
+            })
+        };
+        places.retain(fits);
+        let at = places.partition_point(|place| place[0] < pin[0]);
+        places.insert(at, pin);
+    }
+}
+
 /// Whether places ascend strictly on both curves and keep within a lap.
 fn ascends(places: &[[f64; 2]]) -> bool {
     let lap = places.first().map(|[x, y]| [x + 1.0, y + 1.0]);
@@ -184,5 +215,30 @@ mod tests {
         make_ascending(&mut numbers);
         let third = 7.0 / 3.0;
         assert_eq!(numbers, [1.0, third, third, third, 4.5, 4.5]);
+    }
+
+    #[test]
+    fn held_places_are_kept_to_the_last_bit_and_order_stays_strict() {
+        let mut numbers = Numbers(33);
+        for case in 0..200 {
+            let count = numbers.whole(3, 40);
+            let places: Vec<[f64; 2]> =
+                (0..count).map(|k| [k as f64 / count as f64, k as f64 / count as f64 + 0.4]).collect();
+            let mut shares = [numbers.next(), numbers.next()];
+            shares.sort_by(f64::total_cmp);
+            let wobble = numbers.between(-0.1, 0.1);
+            let held = shares.map(|x| [x, x + 0.4 + wobble]);
+            let mut found = places.clone();
+            hold_places(&mut found, &held);
+            assert!(ascends(&found), "case {case}: {found:?}");
+            for pin in held {
+                let is_pin = |place: &[f64; 2]| {
+                    let off = [place[0] - pin[0], place[1] - pin[1]];
+                    (off[0] - off[0].round()).abs() < 1e-12 && (off[1] - off[0].round()).abs() < 1e-12
+                };
+                assert!(found.iter().any(is_pin), "case {case}: {pin:?}");
+            }
+            assert!(found.len() <= count.max(2), "case {case}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use super::path::{Path, PathFinder, Rule};
 use super::pins::pinned_paths;
 use super::rounds::Rounds;
 use super::stretch::shortest_stretch;
-use super::{Problem, RulingLine, Stretch};
+use super::{Greedy, Problem, RulingLine, Stretch};
 use std::fmt;
 
 /// What the exact solver maximises over all sets of visible lines that leave no vertex without a line and do not cross.
@@ -170,6 +170,19 @@ impl Exact {
     #[must_use]
     pub fn new(problem: Problem, options: ExactOptions) -> Self {
         let state = State::Looking(Box::new(Survey::new(&problem)));
+        Self { problem, options, finder: PathFinder::default(), state }
+    }
+
+    /// A job on the problem of a greedy one that is done, which spares looking for visible lines again.
+    #[must_use]
+    pub fn after(greedy: &mut Greedy, options: ExactOptions) -> Self {
+        let lattice = greedy.take_lattice();
+        let problem = greedy.problem().clone();
+        if lattice.height() < problem.counts().0 {
+            return Self::new(problem, options);
+        }
+        let rounds = Rounds::new(&lattice, options.objective.rule());
+        let state = State::Searching(Box::new(Search { lattice, rounds, visible: None }));
         Self { problem, options, finder: PathFinder::default(), state }
     }
 

@@ -1,6 +1,7 @@
 //! Greedy ruling line construction.
 
 use super::chain::Chain;
+use super::lattice::Lattice;
 use super::row::{Candidate, Wedges, ranked_lines};
 use super::visibility::Sight;
 use super::{Bound, Problem, Totals, measure, prune, prune_as_printed};
@@ -77,6 +78,7 @@ pub struct Greedy {
     bare: usize,
     growth: Vec<RulingLine>,
     printed: Printed,
+    lattice: Lattice,
 }
 
 /// Rules of the greedy construction that are taken as the paper prints them.
@@ -115,6 +117,7 @@ impl Greedy {
             bare: a + b,
             growth: Vec::new(),
             printed,
+            lattice: Lattice::new(problem.outlines().each_ref().map(|outline| outline.shares.clone())),
             problem,
         }
     }
@@ -147,12 +150,19 @@ impl Greedy {
         &self.problem
     }
 
+    /// Hands over every visible line, once the job is done.
+    pub(super) fn take_lattice(&mut self) -> Lattice {
+        std::mem::take(&mut self.lattice)
+    }
+
     fn look_from(&mut self, from: usize) {
         let mut row = ranked_lines(&self.problem, &self.wedges, &mut self.sight, from);
         for Candidate { line, .. } in &row {
             self.best[0][from] = self.best[0][from].max(line.value);
             self.best[1][line.to] = self.best[1][line.to].max(line.value);
         }
+        let cells: Vec<(i64, f64)> = row.iter().map(|c| (c.line.lifted, c.line.value)).collect();
+        self.lattice.push_row(&cells);
         self.heads.extend(row.pop().map(Head));
         self.rows.push(row);
     }

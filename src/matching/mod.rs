@@ -40,6 +40,7 @@ mod value;
 mod visibility;
 
 pub use details::{Details, details, integral_on_curves};
+pub use even::hold_places;
 pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, Policy, exact};
 pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Insertion, OneToOne};

@@ -159,6 +159,18 @@ impl Problem {
         (self.outlines[0].len(), self.outlines[1].len())
     }
 
+    /// What the value of a line weighs.
+    #[must_use]
+    pub fn weights(&self) -> Weights {
+        self.weights
+    }
+
+    /// Distance between the planes of the outlines.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
     /// Which outline lies inside the other.
     #[must_use]
     pub fn layout(&self) -> Layout {

@@ -28,12 +28,20 @@ pub struct Weights {
     pub alignment: f64,
     /// How negative products of normals count.
     pub negative: NegativeProducts,
+    /// Whether the gap between the planes counts in the length.
+    pub heights: bool,
 }
 
 impl Default for Weights {
-    /// Normal 1 and distance 2, the weights of the precursor's Eq. 4; no alignment; signed.
+    /// Normal 1 and distance 2, the weights of the precursor's Eq. 4; no alignment; signed; heights count.
     fn default() -> Self {
-        Self { normal: 1.0, distance: 2.0, alignment: 0.0, negative: NegativeProducts::default() }
+        Self {
+            normal: 1.0,
+            distance: 2.0,
+            alignment: 0.0,
+            negative: NegativeProducts::default(),
+            heights: true,
+        }
     }
 }
 
@@ -53,6 +61,7 @@ impl Weights {
     pub(super) fn value(&self, p: End, q: End, gap: f64, shortest: f64) -> f64 {
         let cosine = p.normal.dot(q.normal);
         let along = q.point - p.point;
+        let gap = if self.heights { gap } else { 0.0 };
         let squared = (along.length_squared() + gap * gap).max(shortest * shortest);
         let mut value = self.numerator(cosine);
         if self.distance == 2.0 {
@@ -145,6 +154,12 @@ mod tests {
         assert!((value(weights, 0.0, 0.0) - 0.25).abs() < 1e-15, "a perfect line loses nothing");
         let sideways = weights.value(end(0.0, 0.0, 90.0), end(2.0, 0.0, 90.0), 0.0, 1e-9);
         assert!((sideways - 0.125).abs() < 1e-15, "a line along the curves loses half");
+    }
+
+    #[test]
+    fn heights_may_be_left_out() {
+        let weights = Weights { heights: false, ..Weights::default() };
+        assert_eq!(value(weights, 60.0, 1.0), value(weights, 60.0, 0.0));
     }
 
     #[test]

@@ -46,9 +46,10 @@ impl Window {
         let (low, high) = points.fold(empty, |(low, high), p| (low.min(p), high.max(p)));
         let low = low.floor().max(self.corner());
         let high = high.ceil().min(DVec2::new(self.columns.end as f64, self.rows.end as f64));
-        low.cmplt(high)
-            .all()
-            .then_some(Self { columns: low.x as usize..high.x as usize, rows: low.y as usize..high.y as usize })
+        low.cmplt(high).all().then_some(Self {
+            columns: low.x as usize..high.x as usize,
+            rows: low.y as usize..high.y as usize,
+        })
     }
 
     /// The part in some rows; `None` when there is none.
