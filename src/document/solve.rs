@@ -5,6 +5,7 @@ use super::{CurvesDocument, Diagnostic, DocumentError, Model};
 use crate::curve::ClosedBSpline;
 use crate::matching::{
     Details, Layout, Matching, OneToOne, Problem, ProblemError, RulingLine, Totals, Weights, details,
+    places_of, places_of_pairs,
 };
 use crate::morph::Band;
 
@@ -203,11 +204,12 @@ fn matched(model: &Model, problem: Problem, found: Found) -> State {
     let count = pairs.as_ref().map_or(matching.lines.len(), |pairs| pairs.lines.len());
     let band = || band(model, &matching, pairs.as_deref(), rulings_per_line(count));
     let band = (is_complete || !occluded.is_empty()).then(band).flatten();
-    let figures = |problem: &Problem, lines: &[RulingLine]| {
-        model.pair().and_then(|(curves, _)| details(curves, problem, lines))
-    };
-    let of_pairs = pairs.as_deref().and_then(|pairs| figures(&pairs.problem, &pairs.lines));
-    let details = [figures(&problem, &matching.lines), of_pairs];
+    let details = model.pair().map_or([None, None], |(curves, _)| {
+        let of_pairs = pairs
+            .as_deref()
+            .and_then(|pairs| details(curves, &pairs.problem, &pairs.lines, &places_of_pairs(curves, pairs)));
+        [details(curves, &problem, &matching.lines, &places_of(&problem, &matching.lines)), of_pairs]
+    });
     let outcome = Outcome::Matched {
         problem: Box::new(problem),
         matching,

@@ -17,15 +17,20 @@ pub struct Details {
     pub longest: f64,
 }
 
-/// Computes further figures of lines in cyclic order between the curves of a problem; `None` without lines.
+/// Computes further figures of lines in cyclic order between the curves of a problem, whose ends lie at `places` in shares of arc
+/// length; `None` without lines.
 #[must_use]
-pub fn details(curves: &[ClosedBSpline; 2], problem: &Problem, lines: &[RulingLine]) -> Option<Details> {
+pub fn details(
+    curves: &[ClosedBSpline; 2],
+    problem: &Problem,
+    lines: &[RulingLine],
+    places: &[[f64; 2]],
+) -> Option<Details> {
     let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
-    let places = places_of(problem, lines);
     if places.is_empty() {
         return None;
     }
-    let even = at_even_means(&places, lines.len());
+    let even = at_even_means(places, lines.len());
     let value = |&place: &[f64; 2]| value_at(curves, &arc_lengths, problem, place);
     let cosines = lines.iter().map(|line| problem.cosine(line.from, line.to));
     let lengths = lines.iter().map(|line| problem.length(line.from, line.to));
@@ -69,7 +74,7 @@ fn value_at(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{ExactOptions, Outline, Placing, Weights, exact};
+    use super::super::{ExactOptions, Outline, Placing, Weights, exact, places_of_pairs};
     use super::*;
     use crate::curve::{Form, Scheme, sample};
     use glam::dvec2;
@@ -87,7 +92,8 @@ mod tests {
         let coarse = problem(60);
         let lines = exact(&coarse, ExactOptions::default()).expect("feasible").lines;
         let j = integral_on_curves(&curves, &coarse, &lines);
-        let figures = details(&curves, &coarse, &lines).expect("there are lines");
+        let figures =
+            details(&curves, &coarse, &lines, &places_of(&coarse, &lines)).expect("there are lines");
         let count = lines.len() as f64;
         assert!((figures.spread_sum / count / j - 1.0).abs() < 1e-3, "S_N is about N J");
         let brute = lines.iter().map(|line| coarse.length(line.from, line.to)).fold(0.0, f64::max);
@@ -103,5 +109,9 @@ mod tests {
         };
         let again = integral_on_curves(&curves, &pairs.problem, &pairs.lines);
         assert!((again / pairs.totals.integral.expect("J") - 1.0).abs() < 1e-12);
+        let back = places_of_pairs(&curves, &pairs);
+        assert!(
+            back.iter().zip(&places).all(|(p, q)| (p[0] - q[0]).abs() < 1e-9 && (p[1] - q[1]).abs() < 1e-9)
+        );
     }
 }

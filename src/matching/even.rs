@@ -38,6 +38,7 @@ pub(super) fn spread_evenly(
 ///
 /// Both lists ascend strictly in cyclic order, within a lap.
 pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(held.len());
     let laps = |by: f64| move |place: &[f64; 2]| place.map(|share| share + by);
     for pin in held {
         let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
@@ -48,9 +49,9 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
             let gap = (mean(place) - mean(&pin)).abs();
             gap.min(1.0 - gap)
         };
-        let nearest =
-            (0..places.len()).min_by(|&i, &k| distance(&places[i]).total_cmp(&distance(&places[k])));
-        if let Some(nearest) = nearest.filter(|_| places.len() > 1) {
+        let others = (0..places.len()).filter(|&k| !kept.contains(&places[k]));
+        let nearest = others.min_by(|&i, &k| distance(&places[i]).total_cmp(&distance(&places[k])));
+        if let Some(nearest) = nearest {
             places.remove(nearest);
         }
         let fits = |place: &[f64; 2]| {
@@ -62,6 +63,7 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
         places.retain(fits);
         let at = places.partition_point(|place| place[0] < pin[0]);
         places.insert(at, pin);
+        kept.push(pin);
     }
 }
 

@@ -8,7 +8,9 @@
 //!
 //! [`Insertion`] then gives every line its own ends, by new vertices on the curves, and verifies all lines anew.
 //!
-//! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum.
+//! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum. [`Exact`] finds that between the same
+//! samples, and [`Refine`] that of the integral J on the curves themselves; [`even_places`] and [`Placing`] make one-to-one lines of it.
+//! [`OnePerVertex`], [`best_shift`], [`irredundant`] and [`best_mean`] are there for comparison.
 
 mod chain;
 mod details;
@@ -48,7 +50,7 @@ pub use irredundant::irredundant;
 pub use mean::best_mean;
 pub use measure::{Bound, Totals, measure};
 pub use outline::Outline;
-pub use place::{Placing, places_of};
+pub use place::{Placing, places_of, places_of_pairs};
 pub use problem::{Layout, Problem, ProblemError};
 pub use prune::{prune, prune_as_printed};
 pub use refine::{Refine, Refined, even_places};

@@ -151,13 +151,22 @@ pub(super) fn shares_of(outline: &Outline) -> Vec<f64> {
     ends.collect()
 }
 
-/// Ends of lines between vertices, in shares of arc length on both curves, in the order of the lines: weakly ascending.
+/// Ends of lines between vertices, in shares of arc length on both curves, in the order of the lines: weakly ascending. The
+/// outlines must start where the curves do.
 #[must_use]
 pub fn places_of(problem: &Problem, lines: &[RulingLine]) -> Vec<[f64; 2]> {
     let [first, second] = problem.outlines().each_ref().map(shares_of);
     let b = problem.counts().1 as i64;
     let place = |line: &RulingLine| [first[line.from], second[line.to] + line.lifted.div_euclid(b) as f64];
     lines.iter().map(place).collect()
+}
+
+/// Ends of one-to-one lines in shares of arc length on both curves, in the order of the lines.
+#[must_use]
+pub fn places_of_pairs(curves: &[ClosedBSpline; 2], pairs: &OneToOne) -> Vec<[f64; 2]> {
+    let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+    let share = |axis: usize, u: f64| arc_lengths[axis].at(u) / arc_lengths[axis].total();
+    pairs.places.iter().map(|&(u, v)| [share(0, u), share(1, v)]).collect()
 }
 
 /// Adds vertices to an outline at shares of arc length from 0 to 1, given in cyclic order; returns the number of each among the
