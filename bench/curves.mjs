@@ -21,6 +21,12 @@ function edits(/** @type {[number, number]} */ counts, oneToOne = false) {
 
 const frame = { width: 800, height: 600, s: 0.4 };
 
+/** Paints a large picture in steps of the length that the worker asks for. */
+function* paintInSteps(/** @type {any} */ dx, /** @type {object} */ document) {
+  const job = dx.job(document, { paint: { width: 2200, height: 1600, pixelRatio: 2, s: 0.4 } });
+  while (!job.step(12).done) yield;
+}
+
 /** @type {import("../scripts/lib/bench.mjs").Case[]} */
 export default [
   {
@@ -107,6 +113,19 @@ export default [
   {
     name: "picture alone 2200 x 1600, pixel ratio 2",
     prepare: (dx) => () => dx.paint(amoeba, { width: 2200, height: 1600, pixelRatio: 2, s: 0.4 }),
+  },
+  {
+    name: "longest call while painting 2200 x 1600, pixel ratio 2",
+    budget: 50,
+    prepare: (dx) => () => paintInSteps(dx, amoeba),
+  },
+  {
+    name: "longest call from an edit to a picture, 1000 x 1000",
+    budget: 50,
+    prepare(dx) {
+      const next = edits([1000, 1000]);
+      return () => paintInSteps(dx, next());
+    },
   },
   {
     name: "picture as SVG",

@@ -28,7 +28,7 @@ const end = (/** @type {string} */ name) => `<!-- end of ${name} -->`;
  */
 export async function reference(dx) {
   const presets = await readPresets();
-  const tables = { pairs: pairsTable(presets), greedy: greedyTable(dx, presets) };
+  const tables = { pairs: pairsTable(presets), greedy: greedyTable(dx, presets), "one-to-one": oneToOneTable(dx, presets) };
   let page = await readFile(referencePage, "utf8");
   for (const [name, table] of Object.entries(tables)) {
     const [before, rest] = page.split(begin(name));
@@ -83,6 +83,24 @@ function greedyTable(dx, presets) {
     ];
   });
   const head = ["pair", "grown", "Σ f", "lines", "Σ f", "mean f", "J", "η", "crossings", "blocked", "uncovered"];
+  return table(head, ["", ...head.slice(1).map(() => "right")], rows);
+}
+
+/**
+ * @param {Directrix} dx
+ * @param {Preset[]} presets
+ */
+function oneToOneTable(dx, presets) {
+  const rows = presets.flatMap(({ title, document }) => {
+    const { pairs, totals } = dx.match({ ...document, matching: { ...document.matching, oneToOne: true } });
+    if (!totals.pairs) return [];
+    const { count, sum, mean, integral, eta, crossings, blocked } = totals.pairs;
+    const verified = pairs.filter((pair) => pair.verified).length;
+    return [
+      [title, `${count}`, scientific(sum), scientific(mean), scientific(integral), decimals(eta), `${verified}`, `${crossings}`, `${blocked}`],
+    ];
+  });
+  const head = ["pair", "lines", "Σ f", "mean f", "J", "η", "verified", "crossings", "blocked"];
   return table(head, ["", ...head.slice(1).map(() => "right")], rows);
 }
 

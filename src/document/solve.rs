@@ -51,7 +51,7 @@ pub enum Outcome {
         /// The outlines and the values of their lines.
         problem: Box<Problem>,
         /// The lines; they may leave vertices bare.
-        matching: Matching,
+        matching: Box<Matching>,
         /// Lines with ends of their own, where the document asks for them and the matching is complete.
         pairs: Option<Box<OneToOne>>,
         /// The band between the curves; only where every vertex has a line and no constraint is broken, or where occluded lines were
@@ -212,7 +212,7 @@ fn matched(model: &Model, problem: Problem, found: Found) -> State {
     });
     let outcome = Outcome::Matched {
         problem: Box::new(problem),
-        matching,
+        matching: Box::new(matching),
         pairs,
         band,
         is_complete,

@@ -18,8 +18,8 @@ const STRIDE: f64 = 1.0 / 16.0;
 impl Band {
     /// Lines that part the places with at least the fraction `level` of a material from the others.
     ///
-    /// Every point has the fraction exactly, by [`locate`](Self::locate) as well: along a ruling fractions are linear, and between two rulings
-    /// they are bilinear, so that a saddle is decided by its own middle. Where both curves have the fraction all along a
+    /// Every point has the fraction exactly, by [`locate`](Self::locate) as well unless patches overlap there: along a ruling fractions are
+    /// linear, and between two rulings they are bilinear, so that a saddle is decided by its own middle. Where both curves have the fraction all along a
     /// stretch there is no line but an area, and nothing is returned for it.
     ///
     /// # Panics

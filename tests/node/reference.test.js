@@ -26,5 +26,11 @@ test("its figures are those of the matching, and its links lead somewhere", asyn
     if (lines.eta !== null) assert.ok(Math.abs(Number(cells[8]) - lines.eta) <= 5e-5, title);
     assert.deepEqual([cells[9], cells[10]], ["0", "0"], title);
   }
+  const oneToOne = page.split("## One to one")[1].split("\n").filter((line) => /^\| [^|]+\| \d/.test(line));
+  assert.equal(oneToOne.length, index.filter((/** @type {{matched?: false}} */ { matched }) => matched !== false).length);
+  for (const line of oneToOne) {
+    const [, , count, , , , , verified, crossings, blocked] = line.split("|").map((cell) => cell.trim());
+    assert.deepEqual([verified, crossings, blocked], [count, "0", "0"], line);
+  }
   for (const [, path] of page.matchAll(/(?:\]\(|src=")(\.\.\/[^)"]+)/g)) await access(new URL(path, new URL("../../docs/", import.meta.url)));
 });

@@ -40,7 +40,10 @@ const SHORTFALLS = ["unverified-gap", "sample-limit"];
 export function advice({ ok, diagnostics, totals }) {
   const words = strings.advice;
   const [a, b] = totals.lines?.uncovered ?? [[], []];
-  if (a.length + b.length > 0) return words.notCovered(a.length, b.length);
+  if (a.length + b.length > 0) {
+    const hidden = diagnostics.some(({ code }) => code === "orphan");
+    return `${words.notCovered(a.length, b.length)} ${hidden ? words.openPocket : words.moveApart}`;
+  }
   // A whole result may still hold less than was asked for.
   const [first] = ok ? diagnostics.filter(({ code }) => SHORTFALLS.includes(code)) : diagnostics;
   if (!first) return null;

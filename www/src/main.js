@@ -18,6 +18,7 @@ import { createSpeech } from "./frame/speech.js";
 import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
 import { firstPreset } from "./gallery/first.js";
+import { listenToPaste } from "./import/paste.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
@@ -174,6 +175,7 @@ function run(app) {
   listenToKeys(app, handles);
   listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
   listenToDrop(app);
+  listenToPaste(app);
   followSystem(app);
   keep(app);
 

@@ -181,6 +181,7 @@ export const strings = {
     galleryItem: "Gallery…",
     file: "File",
     export: "Export",
+    exportItem: "Export…",
     menu: "Menu",
     panel: "Settings",
     toDark: "Use the dark theme",
@@ -236,9 +237,32 @@ export const strings = {
   },
 
   exports: {
-    svg: "Picture as SVG",
-    png: "Picture as PNG",
-    json: "Document as JSON",
+    heading: "Export",
+    format: "Format",
+    scale: "Scale",
+    size: "Size in pixels",
+    width: "Width",
+    height: "Height",
+    theme: "Colours",
+    themes: { light: "Light", dark: "Dark" },
+    background: "Background",
+    transparent: "transparent",
+    table: "Table",
+    tables: { lines: "Ruling lines", stages: "Stages" },
+    notes: {
+      png: "The figure as on screen, with its layers. Sides up to 4096 pixels.",
+      svg: "The figure as on screen, with its layers, sharp at any size.",
+      lines: "One row for each ruling line: parameters, ends, value, cosine of the normals, length.",
+      stages: "One row for each point of the curves in between.",
+      json: "The document with its view, to be opened again.",
+    },
+    noLines: "there are no ruling lines",
+    noStages: "there are no stages, because the matching is not complete",
+    download: "Download",
+    downloaded: (/** @type {string} */ file) => `Downloaded ${file}`,
+    copy: "Copy",
+    copied: "Copied to the clipboard",
+    failed: (/** @type {string} */ reason) => `That did not work: ${reason}.`,
   },
 
   canvas: {
@@ -250,7 +274,7 @@ export const strings = {
     zoom: "Zoom and grid",
     probe: "Ruling lines",
     probeHelp: "Left and right go from one ruling line to the next, up and down along it. Escape closes the reading.",
-    drop: "Drop a document to open it",
+    drop: "Drop a document, a drawing or points to open them",
   },
 
   handles: {
@@ -359,7 +383,7 @@ export const strings = {
     over: "over",
     pairs: (/** @type {number} */ count) => plural(count, "one-to-one line", "one-to-one lines"),
     lines: (/** @type {number} */ count) => plural(count, "line", "lines"),
-    off: (/** @type {string} */ share) => `at most ${share} % off the diagonal`,
+    off: (/** @type {string} */ share) => `up to ${share}\u00a0% off the diagonal`,
     name: (/** @type {string} */ lines, /** @type {string} */ off, /** @type {number} */ gaps) =>
       `Plot of v over u for ${lines}: v rises with u all round and departs from equal shares of the parameters by at most ${off} %` +
       (gaps > 0 ? `; ${plural(gaps, "gap keeps", "gaps keep")} lines that share ends.` : "."),
@@ -504,7 +528,9 @@ export const strings = {
 
   advice: {
     notCovered: (/** @type {number} */ a, /** @type {number} */ b) =>
-      `Not covered: ${a} + ${b} vertices. Raise the samples or move the curves apart.`,
+      `Not covered: ${a} + ${b} vertices.`,
+    openPocket: "Some see nothing of the other curve: widen the mouth of the pocket.",
+    moveApart: "Raise the samples or move the curves apart.",
     orphan: "Some vertices see nothing of the other curve. Move a point, or raise the samples.",
     stuck: "The growth came to a dead end. Raise the samples or change a weight.",
     disjoint: "No line connects the two curves. Move one nearer to the other.",
@@ -531,7 +557,6 @@ export const strings = {
     open: (/** @type {string} */ file, /** @type {string} */ reason) =>
       `Could not open ${file}: ${reason}. The open document is unchanged.`,
     notJson: "it is not JSON",
-    export: (/** @type {string} */ reason) => `Could not export: ${reason}.`,
     save: (/** @type {string} */ file, /** @type {string} */ reason) =>
       `Could not save ${file}: ${reason}. Save a copy elsewhere.`,
   },
@@ -540,6 +565,44 @@ export const strings = {
     notNumber: "Enter a number",
     range: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a number from ${low} to ${high}`,
     whole: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a whole number from ${low} to ${high}`,
+  },
+
+  import: {
+    heading: (/** @type {string} */ file) => `Import ${file}`,
+    pasted: "the clipboard",
+    shapes: "Shapes",
+    skipped: (/** @type {number} */ count) => `${count} skipped`,
+    tolerance: "Tolerance",
+    percent: (/** @type {string} */ value) => `${value}\u00a0%`,
+    corners: "Corners",
+    keep: "Keep",
+    smooth: "Smooth",
+    through: "Through the points",
+    center: "Centre at the origin",
+    points: (/** @type {number} */ count) => plural(count, "point", "points"),
+    wasOpen: ", open ends joined",
+    fitting: "Fitting",
+    controls: (/** @type {number} */ points) => plural(points, "control point", "control points"),
+    error: (/** @type {string} */ error, /** @type {string} */ unit) => `error ${error}\u00a0${unit}`,
+    exact: "exact",
+    crosses: "It crosses itself",
+    place: (/** @type {string[]} */ size, /** @type {string} */ unit, /** @type {string[] | null} */ middle) =>
+      `${size[0]} × ${size[1]}\u00a0${unit} about ${middle ? `(${middle.join(", ")})` : "the origin"}; one unit of the drawing is one ${unit}.`,
+    open: "Open as new document",
+    replace: (/** @type {string} */ curve) => `Replace ${inSentence(curve)}`,
+    add: "Add as a curve",
+    chooseOne: "To replace a curve, choose one shape.",
+    chooseSome: "Choose one or two shapes.",
+    found: (/** @type {number} */ shapes, /** @type {number} */ skipped) =>
+      `${plural(shapes, "shape", "shapes")} found${skipped > 0 ? `, ${skipped} skipped` : ""}`,
+    nothing: "it holds no closed shape",
+    onlySkipped: (/** @type {string} */ name, /** @type {string} */ reason, /** @type {number} */ count) =>
+      `it holds no closed shape: ${name}: ${reason}${count > 1 ? ` (and ${count - 1} more)` : ""}`,
+    opened: (/** @type {string} */ title) => `Opened ${title}`,
+    placed: (/** @type {string} */ curve, /** @type {number} */ points) =>
+      `${curve} now has ${plural(points, "control point", "control points")}`,
+    onlyFirst: (/** @type {string} */ file, /** @type {number} */ count) =>
+      `${count} files were dropped; only ${file} was opened.`,
   },
 
   panel: {

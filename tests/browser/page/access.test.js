@@ -26,7 +26,7 @@ test("axe finds nothing wrong with all groups, a menu, an error and a reading op
   await page.keyboard.press("ArrowRight");
   await eventually(async () => assert.ok(await page.locator("#probe").isVisible()));
   assert.deepEqual(await audit(page), []);
-  await page.locator("[data-action=export]").click();
+  await page.locator("[data-action=file]").click();
   await eventually(async () => assert.ok(await page.locator("[role=menu]").isVisible()));
   assert.deepEqual(await audit(page), []);
 });

@@ -130,10 +130,10 @@ test("on a phone the groups are tabs of a sheet with three stops", async (t) => 
   await eventually(async () => assert.ok(Math.abs((await sheet()) - 411) < 3));
 });
 
-test("on a phone one menu holds gallery, files and theme", async (t) => {
+test("on a phone one menu holds gallery, files, export and theme", async (t) => {
   const page = await openPage(t, PHONE);
   await page.locator("[data-action=menu]").tap();
-  for (const name of ["gallery", "open", "export-svg", "export-png", "export-json", "theme"]) {
+  for (const name of ["gallery", "open", "save", "recent", "export", "theme"]) {
     await page.locator(`[data-item=${name}]`).scrollIntoViewIfNeeded();
     assert.ok(await page.locator(`[data-item=${name}]`).isVisible(), name);
   }

@@ -68,7 +68,7 @@ async function openRecent(page) {
 async function preset(page, name) {
   const before = await field(page, "title").inputValue();
   await page.locator("[data-action=gallery]").click();
-  await page.locator(`[data-item="${name}"]`).click();
+  await page.locator(`[data-preset="${name}"]`).click();
   await eventually(async () => assert.notEqual(await field(page, "title").inputValue(), before));
 }
 

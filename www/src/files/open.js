@@ -47,7 +47,7 @@ export async function openDocument(app, raw, name, { origin, edited = false } = 
 }
 
 /**
- * Opens the text of a document.
+ * Opens the text of a document, or offers the shapes of a text that is none.
  * @param {App} app
  * @param {string} name of the file it came from, or what stands for one
  * @param {string} text
@@ -56,13 +56,26 @@ export async function openDocument(app, raw, name, { origin, edited = false } = 
  */
 export async function openText(app, name, text, options) {
   let raw;
-  try {
-    raw = JSON.parse(text);
-  } catch (error) {
-    refuse(app, name, `${strings.errors.notJson} (${problem(error).message})`);
-    return false;
+  if (/^[\s\ufeff]*[{[]/.test(text)) {
+    try {
+      raw = JSON.parse(text.replace(/^\ufeff/, ""));
+    } catch (error) {
+      refuse(app, name, `${strings.errors.notJson} (${problem(error).message})`);
+      return false;
+    }
+    if (isDocument(raw)) return openDocument(app, raw, name, options);
   }
-  return openDocument(app, raw, name, options);
+  const { importText } = await import("../import/import.js");
+  return importText(app, name, text);
+}
+
+/**
+ * Whether JSON is meant to be a document of ours rather than points: an object that says so, or nothing else either.
+ * @param {unknown} raw
+ */
+function isDocument(raw) {
+  if (typeof raw !== "object" || raw === null || Array.isArray(raw)) return false;
+  return "directrix" in raw || !("points" in raw || "type" in raw || "shapes" in raw);
 }
 
 /**

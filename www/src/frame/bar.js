@@ -2,13 +2,11 @@
  * The bar above: mark, workbench, title, undo, redo, gallery, file, export, theme; on a phone one menu for most of it.
  *
  * @import { App } from "../state/app.js"
- * @import { Item } from "./menu.js"
  */
 import { commandText, commandTitle } from "../commands.js";
 import { textField } from "../controls/text-field.js";
 import { find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
-import { exportAs } from "../files/export.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
@@ -53,15 +51,9 @@ export function createBar(app) {
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
 
-  /** @returns {Item[]} */
-  const exportItems = () =>
-    /** @type {const} */ (["svg", "png", "json"]).map((kind) => ({
-      name: `export-${kind}`,
-      text: strings.exports[kind],
-      act: () => void exportAs(app, kind),
-    }));
+  const openExport = () => void import("./export-panel.js").then(({ showExport }) => showExport(app));
+  exporting.addEventListener("click", openExport);
   attachMenu(file, () => fileItems(app, choose));
-  attachMenu(exporting, exportItems);
   attachMenu(
     menu,
     () => [
@@ -69,7 +61,7 @@ export function createBar(app) {
       "line",
       ...fileItems(app, choose),
       "line",
-      ...exportItems(),
+      { name: "export", text: words.exportItem, act: openExport },
       "line",
       { name: "theme", text: themeLabel(app), act: () => toggleTheme(app) },
     ],

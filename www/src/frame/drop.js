@@ -26,6 +26,19 @@ export function listenToDrop(app) {
     event.preventDefault();
     target.hidden = true;
     const found = event.dataTransfer && dropped(event.dataTransfer);
-    if (found) void found.handle.then((handle) => openFile(app, found.file, handle));
+    const count = event.dataTransfer?.files.length ?? 0;
+    if (found) void open(found, count);
   });
+
+  /**
+   * @param {NonNullable<ReturnType<typeof dropped>>} found
+   * @param {number} count of the files that came with it
+   */
+  async function open({ file, handle }, count) {
+    const opened = await openFile(app, file, await handle);
+    if (!opened || count < 2) return;
+    const text = strings.import.onlyFirst(file.name, count);
+    app.ui.set({ note: { tone: "plain", text } });
+    app.say(text);
+  }
 }

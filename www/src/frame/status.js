@@ -119,6 +119,7 @@ function failure(app, name, words, count, shown) {
       onclick: () => nextWitness(app, name),
     },
     label(words),
+    " ",
     strong(shown),
   );
   return h("span", { class: "item", "data-total": name }, button);

@@ -35,13 +35,13 @@ export function createCorrespondence(app) {
     kept,
   );
   const marks = svg("svg", { class: "correspondence-marks", "aria-hidden": "true" }, dot);
-  const note = h("span", { class: "correspondence-note number" });
+  const note = h("div", { class: "correspondence-note number" });
   const frame = h("div", { class: "correspondence-frame" }, /** @type {any} */ (plot), /** @type {any} */ (marks));
   const element = h(
     "div",
-    { class: "correspondence-block" },
-    frame,
-    h("div", { class: "correspondence-foot" }, h("span", {}, symbol("v"), ` ${words.over} `, symbol("u")), note),
+    { class: "row correspondence-row" },
+    h("span", { class: "row-label" }, symbol("v"), ` ${words.over} `, symbol("u")),
+    h("div", {}, frame, note),
   );
   /** @type {Point[]} */
   let places = [];

@@ -155,6 +155,7 @@ export function curvesGroup(app) {
     words.smooth,
   );
   const cornerNote = h("span", { class: "corner-note" }, corners, smooth);
+  const degreeRow = row(words.degree, degree, { element: cornerNote });
 
   const command = (/** @type {string} */ action, /** @type {string} */ named) =>
     h(
@@ -179,7 +180,7 @@ export function curvesGroup(app) {
     spreadRow,
     turnRow,
     row(words.name, name, height),
-    row(words.degree, degree, { element: cornerNote }),
+    degreeRow,
   );
   const none = h("p", { class: "note" }, words.none);
   const body = h("div", {}, ...rows.map(({ button }) => button), none, details);
@@ -225,6 +226,8 @@ export function curvesGroup(app) {
       degree.set(shape.degree);
       const count = cornersOf(app, curve);
       cornerNote.hidden = count === 0;
+      // Degree and corners belong to the whole curve.
+      degreeRow.hidden = points.length > 0;
       write(corners, words.corners(count));
     },
   };

@@ -101,7 +101,7 @@ export function samplingGroup(app) {
     row(words.minCount, minCount),
     row(words.counts, { element: taken }),
   ];
-  const body = h("div", {}, row(words.scheme, scheme), even, ...adaptive);
+  const body = h("div", {}, h("div", { class: "wide-row" }, scheme.element), even, ...adaptive);
 
   /** Numbers of samples: as asked for, or as many as the shapes took. */
   function numbers() {

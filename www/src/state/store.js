@@ -147,9 +147,13 @@ export class Store {
     this.#tell();
   }
 
-  /** @param {() => void} listener */
+  /**
+   * @param {() => void} listener
+   * @returns {() => void} ends the listening
+   */
   subscribe(listener) {
     this.#listeners.add(listener);
+    return () => void this.#listeners.delete(listener);
   }
 
   /** @param {CurvesDocument} document */

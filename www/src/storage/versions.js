@@ -12,8 +12,8 @@ export const BIN_TIME = 30 * 24 * 3_600_000;
 export const BIN_SIZE = 20;
 
 /**
- * What happens to the versions of a document when an edit replaces the state that is stored: that state is kept when the
- * newest kept one is `SPACING` old, and the oldest make room.
+ * What happens to the versions of a document when an edit replaces the state that is stored: that state is kept when it is
+ * `SPACING` newer than the newest kept one, or when it rested for so long; the oldest make room.
  * @param {Pick<Head, "born" | "time" | "versions">} head as stored
  * @param {number} now
  * @returns {{versions: Version[], keep: boolean, drop: Version[]}} `keep`: whether the stored state becomes a version
@@ -21,7 +21,7 @@ export const BIN_SIZE = 20;
 export function replaced({ born, time, versions }, now) {
   const newest = versions.filter(({ kind }) => kind === "kept").at(-1)?.time ?? born;
   const taken = versions.some((version) => version.time === time);
-  const keep = now - newest >= SPACING && !taken;
+  const keep = !taken && (time - newest >= SPACING || now - time >= SPACING);
   const all = keep ? [...versions, /** @type {Version} */ ({ time, kind: "kept" })] : versions;
   const kept = all.filter(({ kind }) => kind === "kept");
   const drop = kept.slice(0, Math.max(0, kept.length - MOST_VERSIONS));

@@ -1,0 +1,230 @@
+/**
+ * Shapes from elsewhere, by button, paste and drop: choosing, fitting, opening and replacing; and files that hold none.
+ *
+ * @import { Page } from "playwright-core"
+ */
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { audit } from "../support/axe.js";
+import { newDocument, PHONE } from "./drawing.js";
+import { openPage } from "./open.js";
+import { documentOf, eventually, handle, status } from "./workbench.js";
+
+const DRAWING = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 200">
+  <title>Washers</title>
+  <circle id="hole" cx="100" cy="100" r="30"/>
+  <rect id="plate" x="20" y="20" width="160" height="160"/>
+  <path id="tooth" d="M30 30h20v20z"/>
+  <path id="stroke" d="M0 0L50 50"/>
+</svg>`;
+
+/** @param {number} count @param {number} rx @param {number} ry */
+const ellipse = (count, rx, ry) =>
+  Array.from({ length: count }, (_, i) => {
+    const angle = (2 * Math.PI * i) / count;
+    return [rx * Math.cos(angle), ry * Math.sin(angle)].map((v) => v.toFixed(4));
+  });
+
+/** @param {string[][]} points */
+const csv = (points) => `x;y\n${points.map(([x, y]) => `${x.replace(".", ",")};${y.replace(".", ",")}`).join("\n")}`;
+
+const POINTS = `${csv(ellipse(24, 20, 12))}\n\n${csv(ellipse(40, 50, 40))}\n`;
+
+/** @param {Page} page @param {string} name @param {string | Buffer} content */
+const choose = (page, name, content) =>
+  page.locator("[data-file]").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(content) });
+
+/** @param {Page} page @param {{name: string, content: string}[]} files */
+const drop = (page, files) =>
+  page.evaluate((dropped) => {
+    const data = new DataTransfer();
+    for (const { name, content } of dropped) data.items.add(new File([content], name));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, files);
+
+/** @param {Page} page @param {string} text @param {string} [selector] of what is pasted into */
+const paste = (page, text, selector = "body") =>
+  page.evaluate(
+    ([content, target]) => {
+      const data = new DataTransfer();
+      data.setData("text/plain", content);
+      document.querySelector(target)?.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+    },
+    [text, selector],
+  );
+
+/** @param {Page} page */
+const panel = (page) => page.locator("[data-panel=import]");
+
+/** @param {Page} page @param {string} name */
+const command = (page, name) => page.locator(`[data-import="${name}"]`);
+
+/** The names of the shapes that are chosen. @param {Page} page */
+const chosen = (page) =>
+  page.locator("[data-shape]:has(input:checked)").evaluateAll((all) => all.map((each) => each.querySelector("label")?.textContent));
+
+/** What is said of each chosen shape, once both are fitted. @param {Page} page @returns {Promise<string[]>} */
+const results = (page) =>
+  eventually(async () => {
+    const found = await page.locator("[data-shape]:has(input:checked) .import-result").allTextContents();
+    assert.ok(found.length > 0 && found.every((text) => /control points?, (error|exact)/.test(text)), found.join("; "));
+    return found;
+  });
+
+/** @param {string} text */
+const countIn = (text) => Number(/(\d+) control/.exec(text)?.[1]);
+
+test("a drawing opens as a document from the button, with its two nested shapes chosen", async (t) => {
+  const page = await openPage(t);
+  await choose(page, "washers.svg", DRAWING);
+  await panel(page).waitFor();
+  assert.equal(await page.locator("[data-shape]").count(), 3);
+  assert.deepEqual(await chosen(page), ["hole", "plate"]);
+  const [hole, plate] = await results(page);
+  assert.ok(countIn(hole) <= 16, hole);
+  assert.equal(countIn(plate), 12, "four straight sides that meet in corners");
+  assert.match(await panel(page).locator("details").textContent() ?? "", /stroke: it is open: its ends are 70\.7107 apart/);
+  assert.match(await panel(page).textContent() ?? "", /160 × 160/);
+  assert.deepEqual(await audit(page), []);
+
+  await command(page, "open").click();
+  const document = await eventually(async () => {
+    const found = await documentOf(page);
+    assert.equal(found.title, "washers");
+    return found;
+  });
+  assert.equal(await panel(page).count(), 0);
+  assert.deepEqual(document.curves.map((/** @type {any} */ curve) => curve.name), ["hole", "plate"]);
+  const reach = (/** @type {number} */ k) => document.curves[1].points.map((/** @type {number[]} */ p) => p[k]);
+  assert.ok(Math.abs(Math.max(...reach(0)) - 80) < 1e-6 && Math.abs(Math.min(...reach(1)) + 80) < 1e-6, "centred at the origin");
+  await page.waitForSelector("#status[data-verdict=verified]");
+});
+
+test("another pair may be chosen, a third shape takes the place of the first, and corners may go", async (t) => {
+  const page = await openPage(t);
+  await choose(page, "washers.svg", DRAWING);
+  await results(page);
+  await page.locator("[data-box=import-2]").check();
+  assert.deepEqual(await chosen(page), ["plate", "tooth"]);
+  await page.locator("[data-box=import-2]").uncheck();
+  await page.locator("[data-box=import-0]").check();
+  const kept = await results(page);
+  await page.locator("[data-segment=import-corners] label").nth(1).click();
+  const smooth = await eventually(async () => {
+    const found = await results(page);
+    assert.notEqual(found[1], kept[1]);
+    return found;
+  });
+  assert.ok(countIn(smooth[1]) > 12, smooth[1]);
+  // A coarser tolerance takes fewer points.
+  const slider = page.locator("[data-slider=import-tolerance]");
+  await slider.focus();
+  await page.keyboard.press("End");
+  await eventually(async () => assert.ok(countIn((await results(page))[1]) < countIn(smooth[1])));
+  assert.match(await slider.getAttribute("aria-valuetext") ?? "", /^5/);
+  await page.keyboard.press("Escape");
+  assert.equal(await panel(page).count(), 0);
+});
+
+test("one shape replaces a curve, which keeps its material, and undo takes it back", async (t) => {
+  const page = await openPage(t);
+  const before = await documentOf(page);
+  await drop(page, [{ name: "points.csv", content: POINTS }]);
+  await panel(page).waitFor();
+  assert.deepEqual(await chosen(page), ["list 1", "list 2"]);
+  assert.ok(await command(page, "place-0").isDisabled());
+  await page.locator("[data-box=import-1]").uncheck();
+  await page.locator("[data-box=import-through]").check();
+  await eventually(async () => assert.equal(countIn((await results(page))[0]), 24, "a knot at every point"));
+  await command(page, "place-0").click();
+  const after = await documentOf(page);
+  assert.equal(after.curves[0].points.length, 24);
+  assert.deepEqual(after.curves[0].composition, before.curves[0].composition);
+  assert.equal(after.curves[0].name, before.curves[0].name);
+  assert.deepEqual(after.curves[1], before.curves[1]);
+  await page.keyboard.press("Control+z");
+  await eventually(async () => assert.deepEqual(await documentOf(page), before));
+});
+
+test("a new document takes shapes one by one", async (t) => {
+  const page = await openPage(t);
+  await newDocument(page);
+  await paste(page, DRAWING);
+  await results(page);
+  await page.locator("[data-box=import-1]").uncheck();
+  await eventually(async () => assert.ok(await command(page, "place-0").isEnabled()));
+  assert.ok(await command(page, "place-1").isHidden());
+  await command(page, "place-0").click();
+  await eventually(async () => assert.equal((await documentOf(page)).curves[0]?.name, "hole"));
+  await paste(page, DRAWING);
+  await results(page);
+  await page.locator("[data-box=import-0]").uncheck();
+  await eventually(async () => assert.ok(await command(page, "place-1").isEnabled()));
+  await command(page, "place-1").click();
+  await eventually(async () => assert.equal((await documentOf(page)).curves[1]?.name, "plate"));
+  await page.waitForSelector("#status[data-verdict=verified]");
+});
+
+test("text is pasted anywhere but into a field, and documents as well as points", async (t) => {
+  const page = await openPage(t);
+  await paste(page, "[[0, 0], [10, 0], [10, 10]]", "input[data-field=title]");
+  assert.equal(await panel(page).count(), 0);
+  await paste(page, JSON.stringify([ellipse(12, 3, 2), ellipse(12, 9, 8)].map((ring) => ring.map((at) => at.map(Number)))));
+  await panel(page).waitFor();
+  assert.equal(await page.locator("[data-shape]").count(), 2);
+  const document = await documentOf(page);
+  await paste(page, JSON.stringify({ ...document, title: "From the clipboard" }));
+  await eventually(async () => assert.equal((await documentOf(page)).title, "From the clipboard"));
+});
+
+test("of several files the first is opened, and the page says so", async (t) => {
+  const page = await openPage(t);
+  await drop(page, [
+    { name: "first.svg", content: DRAWING },
+    { name: "second.svg", content: DRAWING },
+  ]);
+  await panel(page).waitFor();
+  assert.match(await panel(page).locator("h2").textContent() ?? "", /first\.svg/);
+  await eventually(async () => assert.match(await status(page), /2 files were dropped; only first\.svg was opened/));
+});
+
+const random = Buffer.from(Array.from({ length: 3000 }, (_, i) => (i * 7919 + (i * i) % 251) % 256));
+
+for (const { name, content, says } of [
+  { name: "empty.svg", content: "", says: /the text is empty/ },
+  { name: "wrong.json", content: '[[1, 2], [3, "x"], [5, 6]]', says: /\[1\]\[1\]: the text "x" was found; expected a number/ },
+  { name: "no-paths.svg", content: "<svg xmlns='http://www.w3.org/2000/svg'><text>word</text></svg>", says: /no shape was found/ },
+  { name: "open.svg", content: "<svg><path d='M0 0L50 50'/><path d='M0 0L5 9'/></svg>", says: /no closed shape: path 1: it is open.*1 more/ },
+  { name: "broken.svg", content: "<svg>\n<path d='M0 0'></svg>", says: /line 2: .*not SVG/ },
+  { name: "many.csv", content: "1.5,2.5\n".repeat(100_000), says: /line 20001: more than 20000 points/ },
+  { name: "huge.csv", content: "0,0\n1e300,0\n5,5\n", says: /line 2, x: .*expected a number from/ },
+  { name: "words.txt", content: "only words\nand more words", says: /no points were found/ },
+  { name: "random.bin", content: random, says: /Could not open random\.bin/ },
+]) {
+  test(`the open document and its history survive ${name}`, async (t) => {
+    const page = await openPage(t);
+    const first = await documentOf(page);
+    await handle(page, "B2").focus();
+    await page.keyboard.press("ArrowUp");
+    const before = await documentOf(page);
+    assert.notDeepEqual(before, first);
+    await choose(page, name, content);
+    await eventually(async () => assert.match(await status(page), says));
+    assert.match(await status(page), new RegExp(`Could not open ${name}`));
+    assert.equal(await panel(page).count(), 0);
+    assert.deepEqual(await documentOf(page), before);
+    await page.keyboard.press("Control+z");
+    await eventually(async () => assert.deepEqual(await documentOf(page), first));
+  });
+}
+
+test("on a phone the panel takes the screen and opens the drawing", async (t) => {
+  const page = await openPage(t, { ...PHONE, colorScheme: "dark" });
+  await choose(page, "washers.svg", DRAWING);
+  await results(page);
+  const box = await panel(page).boundingBox();
+  assert.ok(box && box.width > 370 && box.x >= 0 && box.x + box.width <= 390);
+  assert.deepEqual(await audit(page), []);
+  await command(page, "open").tap();
+  await eventually(async () => assert.equal((await documentOf(page)).title, "washers"));
+});

@@ -1,0 +1,70 @@
+/**
+ * What an export holds, by format.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Size } from "../types.js"
+ * @import { Appearance } from "./pictures.js"
+ *
+ * @typedef {"png" | "svg" | "csv" | "json"} Format
+ * @typedef {"lines" | "stages"} Table
+ *
+ * @typedef {Size & Appearance & {format: Format, table: Table}} Wanted
+ */
+import { currentMatch } from "../state/app.js";
+import { strings } from "../strings.js";
+import { linesCsv, stagesCsv } from "./csv.js";
+import { documentWithView } from "./document-view.js";
+import { fileName } from "./names.js";
+import { pngOf, svgOf } from "./pictures.js";
+import { written } from "./written.js";
+
+/** Types of the texts. */
+const TYPES = { svg: "image/svg+xml", csv: "text/csv", json: "application/json" };
+
+/**
+ * @param {App} app
+ * @param {Wanted} wanted
+ * @returns {Promise<Blob>}
+ */
+export async function fileOf(app, wanted) {
+  if (wanted.format === "png") return pngOf(app, wanted);
+  return new Blob([await textOf(app, wanted)], { type: TYPES[wanted.format] });
+}
+
+/**
+ * The text of a format that is one.
+ * @param {App} app
+ * @param {Wanted} wanted
+ * @returns {Promise<string>}
+ */
+export async function textOf(app, wanted) {
+  if (wanted.format === "svg") return svgOf(app, wanted);
+  if (wanted.format === "json") return written(documentWithView(app));
+  return wanted.table === "lines" ? lines(app) : stages(app);
+}
+
+/**
+ * The name of the file on disk.
+ * @param {App} app
+ * @param {Wanted} wanted
+ */
+export function nameOf(app, { format, table }) {
+  const title = fileName(app.store.document.title);
+  return format === "csv" ? `${title}-${table}.csv` : `${title}.${format}`;
+}
+
+/** @param {App} app */
+async function lines(app) {
+  const { document } = app.store;
+  const match = currentMatch(app) ?? (await app.kernel.match(document));
+  if (match.lines.length === 0) throw new Error(strings.exports.noLines);
+  const [first = 0, second = 0] = document.curves.map(({ height }) => height);
+  return linesCsv(match, second - first);
+}
+
+/** @param {App} app */
+async function stages(app) {
+  const found = await app.kernel.stages(app.store.document);
+  if (found.length === 0) throw new Error(strings.exports.noStages);
+  return stagesCsv(found);
+}

@@ -1,0 +1,46 @@
+/**
+ * Tables of a matching as CSV: a header row, a dot for the decimal point, lines that end in a line feed, and every number with
+ * all the digits it has, so that reading them gives the same numbers back.
+ *
+ * @import { Match, Point } from "../types.js"
+ */
+
+const COLUMNS = ["line", "u", "v", "x1", "y1", "x2", "y2", "value", "cosine", "length"];
+
+/**
+ * The ruling lines, or the one-to-one pairs where the matching has them; those have no normals, and the cell of their cosine is
+ * empty.
+ * @param {Pick<Match, "samples" | "lines" | "pairs">} match
+ * @param {number} rise the difference of the heights of the curves, which counts in lengths
+ */
+export function linesCsv({ samples: [first, second], lines, pairs }, rise) {
+  if (pairs.length > 0) {
+    return table([...COLUMNS, "verified"], pairs.map(({ u, v, value, verified, from, to }, i) => [
+      ...[i, u, v, ...from, ...to, value, undefined, distance(from, to, rise), verified],
+    ]));
+  }
+  return table([...COLUMNS, "visible"], lines.map(({ from, to, value, visible }, i) => {
+    const [p, n] = /** @type {[Point, Point]} */ ([first.points[from], first.normals[from]]);
+    const [q, m] = /** @type {[Point, Point]} */ ([second.points[to], second.normals[to]]);
+    const [u, v] = [first.parameters[from], second.parameters[to]];
+    return [i, u, v, ...p, ...q, value, n[0] * m[0] + n[1] * m[1], distance(p, q, rise), visible];
+  }));
+}
+
+/**
+ * The in-between curves, point by point; each is closed, and its first point is not repeated.
+ * @param {{s: number, points: Point[]}[]} stages
+ */
+export function stagesCsv(stages) {
+  return table(["stage", "s", "x", "y"], stages.flatMap(({ s, points }, i) => points.map(([x, y]) => [i, s, x, y])));
+}
+
+/** @param {Point} p @param {Point} q @param {number} rise */
+function distance([x1, y1], [x2, y2], rise) {
+  return Math.hypot(x2 - x1, y2 - y1, rise);
+}
+
+/** @param {string[]} head @param {(number | boolean | undefined)[][]} rows */
+function table(head, rows) {
+  return [head, ...rows].map((cells) => `${cells.map((cell) => cell ?? "").join(",")}\n`).join("");
+}

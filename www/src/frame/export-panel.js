@@ -1,0 +1,166 @@
+/**
+ * The export: format, how it looks, and where it goes.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Format, Table, Wanted } from "../files/contents.js"
+ */
+import { checkBox, segment } from "../controls/choices.js";
+import { numberField } from "../controls/number-field.js";
+import { row } from "../controls/row.js";
+import { h, write } from "../dom.js";
+import { copyPng, copyText } from "../files/clipboard.js";
+import { fileOf, nameOf, textOf } from "../files/contents.js";
+import { download } from "../files/download.js";
+import { LARGEST, scaledSize } from "../files/pictures.js";
+import { problem } from "../painter.js";
+import { strings } from "../strings.js";
+import { openPanel } from "./panel.js";
+
+const words = strings.exports;
+
+/** Smallest side of a picture in pixels. */
+const SMALLEST = 16;
+const SCALES = /** @type {const} */ (["1", "2", "4"]);
+/** The scale a picture has until another is chosen: sharp in a text and on a slide. */
+const FIRST_SCALE = "2";
+
+/** What was chosen last, for as long as the page is open. @type {{format: Format, table: Table, transparent: boolean}} */
+const last = { format: "png", table: "lines", transparent: false };
+
+/** @param {App} app */
+export function showExport(app) {
+  const { size } = app.ui.value;
+  /** @type {Wanted} */
+  const wanted = { ...last, theme: app.ui.value.theme, ...scaledSize(size, Number(FIRST_SCALE)) };
+
+  const format = segment(
+    {
+      label: words.format,
+      name: "export-format",
+      choices: /** @type {const} */ (["png", "svg", "csv", "json"]).map((value) => ({ value, text: value.toUpperCase() })),
+    },
+    (value) => change({ format: value }),
+  );
+  const scale = segment(
+    { label: words.scale, name: "export-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) },
+    (value) => change(scaledSize(app.ui.value.size, Number(value))),
+  );
+  const side = (/** @type {"width" | "height"} */ name) =>
+    numberField(
+      {
+        label: words[name],
+        name: `export-${name}`,
+        prefix: words[name].charAt(0),
+        min: SMALLEST,
+        max: LARGEST,
+        step: 1,
+        decimals: 0,
+        whole: true,
+      },
+      { change: (value) => change({ [name]: value }) },
+    );
+  const [width, height] = [side("width"), side("height")];
+  const theme = segment(
+    {
+      label: words.theme,
+      name: "export-theme",
+      choices: /** @type {const} */ (["light", "dark"]).map((value) => ({ value, text: words.themes[value] })),
+    },
+    (value) => change({ theme: value }),
+  );
+  const transparent = checkBox({ name: "export-transparent", text: [words.transparent] }, (on) => change({ transparent: on }));
+  const table = segment(
+    {
+      label: words.table,
+      name: "export-table",
+      choices: /** @type {const} */ (["lines", "stages"]).map((value) => ({ value, text: words.tables[value] })),
+    },
+    (value) => change({ table: value }),
+  );
+
+  const rows = {
+    scale: row(words.scale, scale),
+    size: row(words.size, width, height),
+    theme: row(words.theme, theme),
+    background: row(words.background, transparent),
+    table: row(words.table, table),
+  };
+  /** The rows of each format. @type {{[format in Format]: (keyof typeof rows)[]}} */
+  const shown = { png: ["scale", "size", "theme", "background"], svg: ["theme", "background"], csv: ["table"], json: [] };
+
+  const note = h("p", { class: "export-note" });
+  const message = h("p", { class: "export-message", "data-message": "", hidden: true });
+  const button = (/** @type {string} */ name, /** @type {string} */ text, /** @type {() => Promise<string>} */ act) =>
+    h("button", { type: "button", class: "push", "data-export": name, onclick: () => void run(act) }, text);
+  const save = button("download", words.download, async () => {
+    const name = nameOf(app, wanted);
+    download(await fileOf(app, { ...wanted }), name);
+    return words.downloaded(name);
+  });
+  const copy = button("copy", words.copy, async () => {
+    if (wanted.format === "png") await copyPng(fileOf(app, { ...wanted }));
+    else await copyText(textOf(app, { ...wanted }));
+    return words.copied;
+  });
+
+  /** @param {Partial<Wanted>} patch */
+  function change(patch) {
+    Object.assign(wanted, patch);
+    Object.assign(last, { format: wanted.format, table: wanted.table, transparent: wanted.transparent });
+    tell(null);
+    render();
+  }
+
+  function render() {
+    format.set(wanted.format);
+    const same = SCALES.find((each) => {
+      const { width: w, height: h } = scaledSize(app.ui.value.size, Number(each));
+      return w === wanted.width && h === wanted.height;
+    });
+    scale.set(same ?? /** @type {any} */ (""));
+    width.set(wanted.width);
+    height.set(wanted.height);
+    theme.set(wanted.theme);
+    transparent.set(wanted.transparent);
+    table.set(wanted.table);
+    for (const [name, element] of Object.entries(rows)) {
+      element.hidden = !shown[wanted.format].some((each) => each === name);
+    }
+    write(note, wanted.format === "csv" ? words.notes[wanted.table] : words.notes[wanted.format]);
+  }
+
+  /** @param {string | null} text @param {boolean} [failed] */
+  function tell(text, failed = false) {
+    message.hidden = text === null;
+    message.classList.toggle("failed", failed);
+    write(message, text ?? "");
+    if (text !== null) app.say(text);
+  }
+
+  /** @param {() => Promise<string>} act */
+  async function run(act) {
+    const buttons = [save, copy];
+    if (save.ariaDisabled) return;
+    for (const each of buttons) each.setAttribute("aria-disabled", "true");
+    tell(null);
+    try {
+      tell(await act());
+    } catch (error) {
+      tell(words.failed(problem(error).message.replace(/\.$/, "")), true);
+    }
+    for (const each of buttons) each.removeAttribute("aria-disabled");
+  }
+
+  render();
+  const panel = openPanel({
+    name: "export",
+    heading: words.heading,
+    body: [
+      h("div", { class: "export" }, row(words.format, format), ...Object.values(rows), note),
+      h("div", { class: "export-acts" }, save, copy),
+      message,
+    ],
+  });
+  // Enter once more downloads; on a phone the choices above would leave the screen.
+  if (panel && !matchMedia("(width < 600px)").matches) save.focus();
+}

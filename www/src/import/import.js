@@ -1,0 +1,33 @@
+/**
+ * Shapes from elsewhere: text that is no document of ours is read for closed outlines, and a panel offers them.
+ *
+ * @import { App } from "../state/app.js"
+ */
+import { refuse } from "../files/open.js";
+import { problem } from "../painter.js";
+import { strings } from "../strings.js";
+import { showShapes } from "./panel.js";
+
+/**
+ * Reads the shapes of a text and opens the panel that takes them over. Whatever is wrong with the text, the document stays.
+ * @param {App} app
+ * @param {string} name of the file it came from, or what stands for one
+ * @param {string} text
+ * @returns {Promise<boolean>} whether there was anything to offer
+ */
+export async function importText(app, name, text) {
+  try {
+    const found = await app.kernel.readShapes(text, { format: "auto" });
+    if (found.shapes.length === 0) {
+      const [first] = found.skipped;
+      refuse(app, name, first ? strings.import.onlySkipped(first.name, first.reason, found.skipped.length) : strings.import.nothing);
+      return false;
+    }
+    showShapes(app, name, found, !/^[\s\ufeff]*</.test(text));
+    return true;
+  } catch (error) {
+    const { path = "", message } = problem(error);
+    refuse(app, name, strings.errors.document(path, message));
+    return false;
+  }
+}

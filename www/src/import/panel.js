@@ -1,0 +1,327 @@
+/**
+ * The panel that takes shapes over: which ones, how near, with or without corners, and where they go.
+ *
+ * @import { FittedCurve, ShapeList } from "../../../js/directrix.js"
+ * @import { App } from "../state/app.js"
+ * @import { CurvesDocument, Point } from "../types.js"
+ */
+import { checkBox, segment } from "../controls/choices.js";
+import { row } from "../controls/row.js";
+import { slider } from "../controls/slider.js";
+import { h, svg, write } from "../dom.js";
+import { openDocument } from "../files/open.js";
+import { editable, fixed, significantText } from "../format.js";
+import { openPanel } from "../frame/panel.js";
+import { problem } from "../painter.js";
+import { curveName } from "../state/app.js";
+import { putShape } from "../state/curve-edits.js";
+import { whole } from "../state/selection.js";
+import { strings } from "../strings.js";
+import { boxOf, firstChoice, MOST, sizeOf } from "./choose.js";
+import { drawPreview, frameOf, thumbnail } from "./picture.js";
+
+/** Tolerances in per cent of the size of a shape: the ends of the slider, which goes by factors, and the first one. */
+const FINEST = 0.02;
+const COARSEST = 5;
+const FIRST = 0.2;
+const STEPS = 100;
+
+/** An error below this share of the size is rounding. */
+const EXACT = 1e-9;
+/** Digits of coordinates go to a hundredth of the tolerance: more would only be in the way of editing. */
+const DIGITS = 0.01;
+
+const PREVIEW = { width: 326, height: 176 };
+const THUMBNAIL = { width: 40, height: 32 };
+
+/** @typedef {FittedCurve | {message: string} | null} Fitted null while it is being fitted */
+
+/**
+ * @param {App} app
+ * @param {string} name
+ * @param {ShapeList} found at least one shape
+ * @param {boolean} isList whether they are lists of points rather than a drawing, whose corners are known
+ */
+export function showShapes(app, name, { shapes, skipped }, isList) {
+  const words = strings.import;
+  /** Indices of the shapes that are taken, the longest chosen first. @type {number[]} */
+  let chosen = firstChoice(shapes);
+  /** @type {"keep" | "smooth"} */
+  let corners = "keep";
+  let through = false;
+  let percent = FIRST;
+  let open = true;
+  let asked = 0;
+  /** @type {Map<number, Fitted>} */
+  const fits = new Map();
+  /** @type {Set<number>} shapes whose curve belongs to older settings */
+  const stale = new Set();
+  // Drawings have their origin in a corner of the page.
+  let centered = !isList;
+
+  const rows = shapes.map((shape, index) => {
+    const result = h("span", { class: "import-result", id: `import-result-${index}` });
+    const box = checkBox({ name: `import-${index}`, text: [shape.name] }, (on) => toggle(index, on));
+    box.element.querySelector("input")?.setAttribute("aria-describedby", result.id);
+    const element = h(
+      "li",
+      { class: "import-shape", "data-shape": String(index) },
+      /** @type {any} */ (thumbnail(shape.points, THUMBNAIL.width, THUMBNAIL.height)),
+      h("span", { class: "import-names" }, box.element, result),
+    );
+    return { element, result, box };
+  });
+
+  const preview = svg("svg", { class: "import-preview", viewBox: `0 0 ${PREVIEW.width} ${PREVIEW.height}`, "aria-hidden": "true" });
+  const toleranceText = h("span", { class: "import-percent" });
+  const tolerance = slider(
+    { label: words.tolerance, name: "import-tolerance", min: 0, max: STEPS, step: 1 },
+    { change: (value) => change(() => (percent = percentOf(value))) },
+  );
+  const cornerChoice = segment(
+    {
+      label: words.corners,
+      name: "import-corners",
+      choices: [
+        { value: "keep", text: words.keep },
+        { value: "smooth", text: words.smooth },
+      ],
+    },
+    (value) => change(() => (corners = value)),
+  );
+  const throughBox = checkBox({ name: "import-through", text: [words.through] }, (on) => change(() => (through = on)));
+  const centerBox = checkBox({ name: "import-center", text: [words.center] }, (on) => {
+    centered = on;
+    render();
+  });
+  const place = h("p", { class: "import-note" });
+  const button = (/** @type {string} */ act, /** @type {string} */ look, /** @type {() => void} */ run) =>
+    h("button", { type: "button", class: look, "data-import": act, onclick: run });
+  const opening = button("open", "solid", () => void openNew());
+  const placing = [0, 1].map((index) => button(`place-${index}`, "outlined", () => replace(/** @type {0 | 1} */ (index))));
+  const hint = h("p", { class: "import-note", "data-import-hint": "" });
+
+  const panel = openPanel({
+    name: "import",
+    heading: words.heading(name),
+    tall: true,
+    body: [
+      h("ul", { class: "import-shapes", "aria-label": words.shapes }, ...rows.map(({ element }) => element)),
+      ...skippedList(),
+      /** @type {any} */ (preview),
+      row(words.tolerance, { element: h("span", { class: "import-tolerance" }, tolerance.element, toleranceText) }),
+      row(words.corners, { element: cornerChoice.element }),
+      ...(isList ? [row("", { element: throughBox.element })] : []),
+      row("", { element: centerBox.element }),
+      place,
+      h("div", { class: "import-commands" }, opening, ...placing),
+      hint,
+    ],
+    onclose: () => {
+      open = false;
+      leave();
+    },
+  });
+  if (!panel) {
+    // The panel of an earlier import was open: this one takes its place.
+    showShapes(app, name, { shapes, skipped }, isList);
+    return;
+  }
+  const leave = app.store.subscribe(render);
+  app.say(words.found(shapes.length, skipped.length));
+  change(() => {});
+
+  function skippedList() {
+    if (skipped.length === 0) return [];
+    const items = skipped.map((each) => h("li", {}, h("b", {}, each.name), `: ${each.reason}`));
+    return [h("details", { class: "import-skipped" }, h("summary", {}, words.skipped(skipped.length)), h("ul", {}, ...items))];
+  }
+
+  /** @param {number} index @param {boolean} on */
+  function toggle(index, on) {
+    change(() => {
+      chosen = chosen.filter((each) => each !== index);
+      // The one that was chosen first gives way to a third.
+      if (on) chosen = [...chosen, index].slice(-MOST);
+    }, on ? [index] : []);
+  }
+
+  /**
+   * Changes a setting and fits anew what it concerns: all shapes that are chosen, or the given ones.
+   * @param {() => void} set
+   * @param {number[]} [concerned]
+   */
+  function change(set, concerned) {
+    set();
+    if (!concerned) for (const index of fits.keys()) stale.add(index);
+    asked += 1;
+    render();
+    void fitAll(asked);
+  }
+
+  /** @param {number} round */
+  async function fitAll(round) {
+    for (const index of [...chosen]) {
+      if (fits.has(index) && !stale.has(index)) continue;
+      const { points, corners: cornerIndices } = shapes[index];
+      const size = sizeOf(points);
+      /** @type {Fitted} */
+      let result;
+      try {
+        result = await app.kernel.fitCurve(points, {
+          tolerance: (percent / 100) * size,
+          corners,
+          through: isList && through,
+          ends: "join",
+          ...(isList ? {} : { cornerIndices }),
+        });
+      } catch (error) {
+        result = { message: problem(error).message };
+      }
+      if (!open || round !== asked) return;
+      fits.set(index, result);
+      stale.delete(index);
+      render();
+    }
+  }
+
+  /** The chosen shapes with their curves, the smaller one first: it is the inner curve. */
+  function taken() {
+    return [...chosen]
+      .sort((a, b) => shapes[a].area - shapes[b].area)
+      .map((index) => {
+        const fitted = fits.get(index);
+        const curve = fitted && "curve" in fitted && !stale.has(index) ? fitted.curve : null;
+        return { shape: shapes[index], curve };
+      });
+  }
+
+  function render() {
+    const { document } = app.store;
+    rows.forEach(({ result, box, element }, index) => {
+      const on = chosen.includes(index);
+      box.set(on);
+      element.classList.toggle("chosen", on);
+      const { text, tone } = said(index, on);
+      result.className = `import-result ${tone}`;
+      write(result, text);
+    });
+    const value = Math.round((Math.log(percent / FINEST) / Math.log(COARSEST / FINEST)) * STEPS);
+    tolerance.set(value);
+    tolerance.input.setAttribute("aria-valuetext", words.percent(editable(percent, 0)));
+    tolerance.input.disabled = isList && through;
+    write(toleranceText, words.percent(editable(percent, 0)));
+    cornerChoice.set(corners);
+    throughBox.set(through);
+    centerBox.set(centered);
+
+    const shown = taken();
+    const all = shown.flatMap(({ shape }) => shape.points);
+    preview.style.display = all.length > 0 ? "" : "none";
+    if (all.length > 0) {
+      const shapesShown = shown.map(({ shape, curve }, k) => ({ points: shape.points, curve: curve ?? lastCurve(k) }));
+      const held = shapesShown.flatMap(({ curve }) => curve?.points ?? []);
+      drawPreview(preview, frameOf([...all, ...held], PREVIEW.width, PREVIEW.height), shapesShown);
+      const { low, high } = boxOf(all);
+      const size = [high[0] - low[0], high[1] - low[1]].map((v) => significantText(v));
+      const middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2].map((v) => fixed(v, 2));
+      write(place, words.place(size, document.unit, centered ? null : middle));
+    }
+    place.hidden = all.length === 0;
+
+    const ready = shown.length > 0 && shown.every(({ curve }) => curve);
+    write(opening, words.open);
+    opening.disabled = !ready;
+    placing.forEach((each, index) => {
+      // A document with no curve or one takes the shape for the next.
+      each.hidden = index > document.curves.length;
+      write(each, document.curves[index] ? words.replace(curveName(document, index)) : words.add);
+      each.disabled = !ready || shown.length !== 1;
+    });
+    write(hint, shown.length === 0 ? words.chooseSome : shown.length === 1 ? "" : words.chooseOne);
+    hint.hidden = shown.length === 1;
+  }
+
+  /** The curve of earlier settings, so that the picture does not flicker. @param {number} k */
+  function lastCurve(k) {
+    const index = [...chosen].sort((a, b) => shapes[a].area - shapes[b].area)[k];
+    const fitted = fits.get(index);
+    return fitted && "curve" in fitted ? fitted.curve : null;
+  }
+
+  /** @param {number} index @param {boolean} on */
+  function said(index, on) {
+    const shape = shapes[index];
+    const fitted = fits.get(index);
+    const read = `${words.points(shape.points.length)}${shape.closed || isList ? "" : words.wasOpen}`;
+    if (!on) return { text: read, tone: "" };
+    if (fitted && "message" in fitted) return { text: fitted.message, tone: "import-error" };
+    if (!fitted) return { text: words.fitting, tone: "" };
+    const isExact = fitted.error < EXACT * sizeOf(shape.points);
+    const error = isExact ? words.exact : words.error(significantText(fitted.error), app.store.document.unit);
+    const text = `${words.controls(fitted.curve.points.length)}, ${error}`;
+    return fitted.simple ? { text, tone: "" } : { text: `${text}. ${words.crosses}`, tone: "warning" };
+  }
+
+  /**
+   * The chosen curves where they go: as they are, or about the origin.
+   * @returns {{name: string, degree: number, form: "periodic", points: Point[], knots: number[]}[]}
+   */
+  function curves() {
+    const shown = taken();
+    const { low, high } = boxOf(shown.flatMap(({ shape }) => shape.points));
+    const by = centered ? [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2] : [0, 0];
+    return shown.flatMap(({ shape, curve }) => {
+      if (!curve) return [];
+      const places = isList && through ? 12 : decimals((percent / 100) * sizeOf(shape.points));
+      const points = curve.points.map(([x, y]) => /** @type {Point} */ ([rounded(x - by[0], places), rounded(y - by[1], places)]));
+      return [{ ...curve, name: shape.name, points }];
+    });
+  }
+
+  async function openNew() {
+    const { matching, unit } = app.store.document;
+    const title = name.replace(/\.\w{1,5}$/, "").slice(0, 200) || strings.untitled;
+    const raw = { directrix: 1, kind: "curves", title, unit, curves: curves(), matching: { method: matching.method } };
+    if (await openDocument(app, raw, name, { edited: true })) {
+      panel?.close();
+      app.say(words.opened(title));
+    }
+  }
+
+  /** @param {0 | 1} index */
+  function replace(index) {
+    const [curve] = curves();
+    if (!curve) return;
+    app.store.endRun();
+    const was = app.store.document.curves[index];
+    const { name: shapeName, ...shape } = curve;
+    app.store.commit({ change: (document) => named(putShape(document, index, shape), index, was ? undefined : shapeName) });
+    app.ui.set({ selection: whole(index), fitted: true, view: null });
+    panel?.close();
+    app.say(words.placed(curveName(app.store.document, index), curve.points.length));
+  }
+}
+
+/**
+ * A new curve keeps the name of its shape; one that is replaced has its own.
+ * @param {CurvesDocument} document
+ * @param {number} index
+ * @param {string | undefined} name
+ * @returns {CurvesDocument}
+ */
+function named(document, index, name) {
+  if (name === undefined) return document;
+  return { ...document, curves: document.curves.map((curve, i) => (i === index ? { ...curve, name } : curve)) };
+}
+
+/** @param {number} value of the slider */
+function percentOf(value) {
+  return Number((FINEST * (COARSEST / FINEST) ** (value / STEPS)).toPrecision(2));
+}
+
+/** Decimal places that keep a tolerance to a hundredth. @param {number} tolerance */
+const decimals = (tolerance) => Math.min(12, Math.max(0, Math.ceil(-Math.log10(tolerance * DIGITS))));
+
+/** @param {number} value @param {number} places */
+const rounded = (value, places) => Number(value.toFixed(places)) + 0;
