@@ -634,4 +634,31 @@ mod tests {
         }
         assert!(feasible > 150, "{feasible}");
     }
+
+    #[test]
+    fn after_a_greedy_job_the_outcome_is_the_same_and_stuck_lines_have_a_cover() {
+        let mut numbers = Numbers(55);
+        let mut stuck = 0;
+        for case in 0..300 {
+            let problem = random_problem(&mut numbers, 4, 24);
+            let mut job = Greedy::new(problem.clone());
+            let matching = loop {
+                if let Some(matching) = job.step(&mut || true) {
+                    break matching;
+                }
+            };
+            let mut after = Exact::after(&mut job, ExactOptions::default());
+            let outcome = after.step(&mut || true).expect("it was told to go on");
+            assert_eq!(outcome, solve(&problem, Objective::Integral), "case {case}");
+            match &outcome {
+                Ok(optimum) if matching.is_complete() => {
+                    let integral = matching.totals.integral.expect("covered");
+                    assert!(integral <= optimum.value * (1.0 + 1e-12) + 1e-12, "case {case}");
+                }
+                Ok(_) => stuck += 1,
+                Err(_) => assert!(!matching.is_complete(), "case {case}"),
+            }
+        }
+        assert!(stuck > 0, "{stuck}");
+    }
 }

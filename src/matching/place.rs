@@ -190,7 +190,9 @@ fn with_ends(
         if let Some((point, normal)) = old {
             if repeats && !last_is_old {
                 // The vertex takes the place of the end beside it.
-                (points.pop(), normals.pop(), places.pop());
+                points.pop();
+                normals.pop();
+                places.pop();
             }
             points.push(point);
             normals.push(normal);
