@@ -20,6 +20,8 @@ pub(super) struct Work {
     problem: Problem,
     stage: Stage,
     found: Found,
+    /// Share of the work that is done, as said last: it never falls.
+    reached: f64,
 }
 
 /// What has been found so far.
@@ -97,6 +99,7 @@ impl Work {
             problem,
             stage: Stage::Done,
             found,
+            reached: 0.0,
         };
         work.stage = match work.spec.method {
             Method::Greedy => work.growing(),
@@ -116,6 +119,17 @@ impl Work {
 
     /// Advances while `may_go_on` says so, at least by a little; returns what was found when all is.
     pub(super) fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Found> {
+        let found = self.advance(may_go_on);
+        self.reached = self.reached.max(self.share());
+        found
+    }
+
+    /// Share of the work that is done, from 0 to 1.
+    pub(super) fn progress(&self) -> f64 {
+        self.reached
+    }
+
+    fn advance(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Found> {
         loop {
             self.stage = match &mut self.stage {
                 Stage::Growing(job) => {
@@ -162,8 +176,8 @@ impl Work {
         }
     }
 
-    /// Share of the work that is done, from 0 to 1.
-    pub(super) fn progress(&self) -> f64 {
+    /// Share of the work that is done, by the stage alone.
+    fn share(&self) -> f64 {
         let lines = if self.spec.one_to_one { 0.6 } else { 1.0 };
         match &self.stage {
             Stage::Growing(job) => job.progress() * lines,
