@@ -583,6 +583,7 @@ fn mutated_documents_never_panic() {
     full["sampling"] =
         json!({"scheme": "adaptive", "counts": [9, 11], "tolerance": 1, "maxTurn": 40, "minCount": 9});
     full["blend"] = json!({"kind": "ruled", "stages": 3});
+    full["matching"]["oneToOne"] = json!(true);
     full["view"] =
         json!({"s": 0.5, "center": [0, 0], "span": 90, "layers": ["grid", "normals", "value", "unitCells"]});
     full["curves"][0]["composition"] = json!([{"at": 0.25, "mix": [0.5, 0.5]}, {"at": 0.5, "mix": [0, 1]}]);
@@ -625,10 +626,16 @@ fn random_curves_never_panic_and_never_pass_a_false_certificate() {
         document["curves"][0]["degree"] = json!(degree);
         document["curves"][1]["degree"] = json!(degree);
         document["sampling"] = json!({"counts": [a, b]});
+        document["matching"]["oneToOne"] = json!(true);
         let Ok(solution) = solve(&document) else { return Ok(()) };
         draw(&solution);
-        if let Outcome::Matched { matching, .. } = &solution.outcome {
+        if let Outcome::Matched { matching, pairs, .. } = &solution.outcome {
             prop_assert_eq!((matching.totals.crossings, matching.totals.blocked), (0, 0));
+            prop_assert_eq!(matching.is_complete(), pairs.is_some());
+            if let Some(pairs) = pairs {
+                prop_assert_eq!((pairs.totals.crossings, pairs.totals.blocked), (0, 0));
+                prop_assert!(pairs.totals.eta.is_none_or(|eta| eta <= 1.0 + 1e-12));
+            }
             complete += u32::from(solution.is_complete());
         }
         Ok(())

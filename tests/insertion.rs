@@ -236,6 +236,13 @@ fn another_start_or_direction_gives_as_many_pairs() {
     swapped["curves"].as_array_mut().expect("a list").reverse();
     swapped["sampling"]["counts"] = json!([31, 20]);
     assert_eq!(count(&base), count(&swapped));
+    // The seams lie inside fans of either curve, at their sides and between them.
+    for counts in [[5, 23], [23, 5], [7, 9]] {
+        for turn in 0..12 {
+            let outer = ring(30.0, 12, 0.1 + TAU * f64::from(turn) / 31.0);
+            assert!(count(&document(ring(10.0, 12, 0.0), outer, counts)) >= counts[0].max(counts[1]));
+        }
+    }
 }
 
 /// Control points of a thick open arc from the angle `gap` to a lap less `gap`: a C, or a U where the gap is wide.

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
+use crate::geom::Full;
 use glam::DVec2;
 
 /// Why the numbers given do not make a [`ClosedBSpline`](super::ClosedBSpline). Indices count from zero.
@@ -148,36 +149,45 @@ impl fmt::Display for CurveError {
                 write!(f, "{count} control points; expected at most {limit}")
             }
             Self::PointNotFinite { index, point } => {
-                write!(f, "control point {index} is ({}, {}); expected finite coordinates", point.x, point.y)
+                let (x, y) = (Full(point.x), Full(point.y));
+                write!(f, "control point {index} is ({x}, {y}); expected finite coordinates")
             }
             Self::PointTooLarge { index, point, limit } => write!(
                 f,
                 "control point {index} is ({}, {}); expected coordinates of at most {limit:e} in absolute value",
-                point.x, point.y
+                Full(point.x),
+                Full(point.y)
             ),
             Self::ZeroLength { at } => {
                 write!(
                     f,
                     "all control points lie at ({}, {}); expected a curve of positive length",
-                    at.x, at.y
+                    Full(at.x),
+                    Full(at.y)
                 )
             }
             Self::NotClosed { first, last } => write!(
                 f,
                 "the last control point is ({}, {}); expected the first one, ({}, {}), since the curve is clamped",
-                last.x, last.y, first.x, first.y
+                Full(last.x),
+                Full(last.y),
+                Full(first.x),
+                Full(first.y)
             ),
             Self::KnotCount { count, full, domain: None } => write!(f, "{count} knots; expected {full}"),
             Self::KnotCount { count, full, domain: Some(domain) } => {
                 write!(f, "{count} knots; expected {full}, or the {domain} knots of the domain")
             }
             Self::KnotNotFinite { index, value, limit } => {
+                let value = Full(value);
                 write!(f, "knot {index} is {value}; expected a number of at most {limit:e} in absolute value")
             }
             Self::KnotsDecrease { index, previous, value } => {
+                let (value, previous) = (Full(value), Full(previous));
                 write!(f, "knot {index} is {value}; expected at least the knot before it, {previous}")
             }
             Self::EmptyDomain { lo, hi, needed } => {
+                let (lo, hi) = (Full(lo), Full(hi));
                 write!(f, "the knots span the domain [{lo}, {hi}]; expected a length of at least {needed:e}")
             }
             Self::KnotsNotPeriodic { index, value, expected } => {

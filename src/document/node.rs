@@ -1,6 +1,7 @@
 //! A value of a document that knows its path.
 
 use super::{Code, DocumentError, Json};
+use crate::geom::Full;
 use std::fmt::Write;
 use std::ops::RangeInclusive;
 
@@ -83,6 +84,7 @@ impl<'a> Node<'a> {
             return Ok(number);
         }
         let (start, end) = range.into_inner();
+        let (number, start, end) = (Full(number), Full(start), Full(end));
         Err(self.error(Code::Range, format!("{number} was found; expected a number from {start} to {end}")))
     }
 
@@ -197,7 +199,7 @@ impl<'a> Node<'a> {
         let found = match self.value {
             Json::Null => "null".to_owned(),
             Json::Flag(flag) => flag.to_string(),
-            Json::Number(number) => number.to_string(),
+            Json::Number(number) => Full(*number).to_string(),
             Json::Text(text) => format!("the text \"{}\"", shortened(text)),
             Json::List(values) => format!("a list of {}", values.len()),
             Json::Object(_) => "an object".to_owned(),

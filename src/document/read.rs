@@ -3,6 +3,7 @@
 use super::fields::curves_document;
 use super::node::Node;
 use super::{Code, CurvesDocument, DocumentError, Json};
+use crate::geom::Full;
 
 /// Longest text of a document that is read, in bytes.
 pub const LONGEST_TEXT: usize = 4 << 20;
@@ -21,7 +22,7 @@ pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
     let version = root.need("directrix")?;
     let number = version.number()?;
     if number != VERSION {
-        let message = format!("version {number} was found; this release reads version {VERSION}");
+        let message = format!("version {} was found; this release reads version {VERSION}", Full(number));
         return Err(version.error(Code::Version, message));
     }
     let kind = root.need("kind")?;

@@ -16,4 +16,4 @@ pub use orient::{orient2d, segment_crossing, segments_meet};
 pub use polygon::{Location, first_contact, first_self_contact, locate, signed_area};
 pub use quadrature::{GAUSS_16, GaussLegendre};
 pub use segment_grid::SegmentGrid;
-pub use shown::{Shown, ShownPlace};
+pub use shown::{Full, Shown, ShownPlace};

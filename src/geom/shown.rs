@@ -11,6 +11,18 @@ pub struct Shown(pub f64);
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShownPlace(pub DVec2);
 
+/// A number shown with all its figures, in powers of ten when it is very large or very small.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Full(pub f64);
+
+impl fmt::Display for Full {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        let is_plain = size == 0.0 || !size.is_finite() || (1e-5..1e10).contains(&size);
+        if is_plain { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
+    }
+}
+
 impl fmt::Display for Shown {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.0 == 0.0 || !self.0.is_finite() {
@@ -34,6 +46,22 @@ impl fmt::Display for ShownPlace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn very_large_and_very_small_numbers_stay_short() {
+        for (number, text) in [
+            (0.0, "0"),
+            (-2.5, "-2.5"),
+            (0.1 + 0.2, "0.30000000000000004"),
+            (9_999_999_999.0, "9999999999"),
+            (1e12, "1e12"),
+            (-1e300, "-1e300"),
+            (1.25e-7, "1.25e-7"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(Full(number).to_string(), text);
+        }
+    }
 
     #[test]
     fn numbers_keep_six_figures_at_any_size() {

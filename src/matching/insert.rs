@@ -39,9 +39,23 @@ pub struct FailedGap {
 struct Spot {
     /// Vertex of the sampled outline; an inserted one has no number.
     vertex: Option<usize>,
+    /// Parameter and arc length before whole laps are counted, so that equal ends have equal places.
     parameter: f64,
     arc: f64,
+    laps: f64,
     end: End,
+}
+
+impl Spot {
+    /// Parameter with the laps, on a curve of this period.
+    fn parameter(&self, period: f64) -> f64 {
+        self.parameter + self.laps * period
+    }
+
+    /// Arc length with the laps, on a curve of this length.
+    fn arc(&self, length: f64) -> f64 {
+        self.arc + self.laps * length
+    }
 }
 
 /// A line of the set, with the gap it belongs to or begins.
@@ -160,10 +174,16 @@ impl Insertion {
         } else if self.has_failed {
             self.refine();
         } else {
-            let arcs = [0, 1].map(|axis| self.joins.iter().map(|join| join.ends[axis].arc).collect());
+            let lengths = self.arc_lengths.each_ref().map(ArcLength::total);
+            let arcs =
+                [0, 1].map(|axis| self.joins.iter().map(|join| join.ends[axis].arc(lengths[axis])).collect());
             self.quadrature = Some(Quadrature::new(&self.problem, &self.lines, arcs));
         }
         None
+    }
+
+    fn periods(&self) -> [f64; 2] {
+        self.curves.each_ref().map(ClosedBSpline::domain).map(|(lo, hi)| hi - lo)
     }
 
     /// Puts the set together anew and begins to verify it.
@@ -174,13 +194,12 @@ impl Insertion {
             joins.push(gap.kept);
             joins.extend(others);
         }
-        let domains = self.curves.each_ref().map(ClosedBSpline::domain);
-        let beyond = joins.iter().filter(|join| join.ends[0].parameter >= domains[0].1).count();
+        let (period, end) = (self.periods()[0], self.curves[0].domain().1);
+        let beyond = joins.iter().filter(|join| join.ends[0].parameter(period) >= end).count();
         joins.rotate_right(beyond);
         for join in &mut joins[..beyond] {
-            for (axis, end) in join.ends.iter_mut().enumerate() {
-                end.parameter -= domains[axis].1 - domains[axis].0;
-                end.arc -= self.arc_lengths[axis].total();
+            for end in &mut join.ends {
+                end.laps -= 1.0;
             }
         }
         let [(first, from, first_owners), (second, to, second_owners)] = [0, 1].map(|axis| {
@@ -273,11 +292,13 @@ impl Insertion {
             }));
             gap.failed.map(|at| FailedGap { lines, at })
         });
+        let [along, across] = self.periods();
+        let place = |join: &Join| (join.ends[0].parameter(along), join.ends[1].parameter(across));
         OneToOne {
             failed: failed.collect(),
             problem: self.problem.clone(),
             lines: std::mem::take(&mut self.lines),
-            places: self.joins.iter().map(|join| (join.ends[0].parameter, join.ends[1].parameter)).collect(),
+            places: self.joins.iter().map(place).collect(),
             verified: std::mem::take(&mut self.verified),
             totals,
         }
@@ -305,11 +326,13 @@ fn vertices(joins: &[Join], axis: usize) -> (Vec<usize>, Vec<Join>) {
 fn outline(vertices: &[Join], axis: usize, length: f64) -> Outline {
     let spot = |k: usize| vertices[k % vertices.len()].ends[axis];
     let all = 0..vertices.len();
-    let next = |k: usize| if k + 1 < vertices.len() { spot(k + 1).arc } else { spot(0).arc + length };
+    let next = |k: usize| {
+        if k + 1 < vertices.len() { spot(k + 1).arc(length) } else { spot(0).arc(length) + length }
+    };
     Outline {
         points: all.clone().map(|k| spot(k).end.point).collect(),
         normals: all.clone().map(|k| spot(k).end.normal).collect(),
-        shares: all.map(|k| (next(k) - spot(k).arc) / length).collect(),
+        shares: all.map(|k| (next(k) - spot(k).arc(length)) / length).collect(),
     }
 }
 
@@ -350,8 +373,9 @@ impl Passes<'_> {
         let vertex = lifted.rem_euclid(count) as usize;
         Spot {
             vertex: Some(vertex),
-            parameter: self.parameter(axis, lifted),
-            arc: samples.arc[vertex] + lifted.div_euclid(count) as f64 * samples.length,
+            parameter: samples.parameters[vertex],
+            arc: samples.arc[vertex],
+            laps: lifted.div_euclid(count) as f64,
             end: self.problem.end(axis, vertex),
         }
     }
@@ -359,7 +383,7 @@ impl Passes<'_> {
     fn inserted(&self, axis: usize, parameter: f64) -> Spot {
         let curve = &self.curves[axis];
         let end = End { point: curve.point(parameter), normal: curve.normal(parameter) };
-        Spot { vertex: None, parameter, arc: self.arc_lengths[axis].at(parameter), end }
+        Spot { vertex: None, parameter, arc: self.arc_lengths[axis].at(parameter), laps: 0.0, end }
     }
 
     /// Line `k` of the star matching, some laps on.
@@ -468,10 +492,10 @@ impl Passes<'_> {
                     gap
                 }
             };
-            let reach = self.parameter(1, there.lifted) - end.parameter;
+            let [start, reach] = [here, there].map(|line| self.parameter(1, line.lifted));
             for k in this + 1..next {
                 let line = on(k);
-                let v = end.parameter + reach * (line.u - here.u) / (there.u - here.u);
+                let v = start + (reach - start) * (line.u - here.u) / (there.u - here.u);
                 let from = match line.star {
                     Some((star, laps)) => self.star(star, laps, gap).ends[0],
                     None => self.inserted(0, line.u),
@@ -488,5 +512,68 @@ impl Passes<'_> {
                 between.map(|at| self.star(at.rem_euclid(lines) as usize, at.div_euclid(lines), g)).collect();
         }
         gaps
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::{Form, Scheme, sample};
+    use crate::matching::{Weights, greedy};
+    use std::collections::BTreeSet;
+    use std::f64::consts::TAU;
+
+    /// A job on two rings with their seams at the given angles.
+    fn job(counts: [usize; 2], turns: [f64; 2]) -> (Insertion, Matching) {
+        let ring = |radius: f64, turn: f64| {
+            let point = |k: usize| radius * DVec2::from_angle(turn + TAU * k as f64 / 8.0);
+            ClosedBSpline::new(3, Form::Periodic, (0..8).map(point).collect(), None).expect("a ring")
+        };
+        let curves = [ring(1.0, turns[0]), ring(3.0, turns[1])];
+        let samples = [0, 1].map(|k| sample(&curves[k], Scheme::ArcLength, counts[k]));
+        let problem =
+            Problem::new(samples.each_ref().map(Outline::from), Weights::default(), 0.0).expect("nested");
+        let matching = greedy(&problem);
+        (Insertion::new(&curves, &samples, &problem, &matching), matching)
+    }
+
+    fn run(mut job: Insertion, may_go_on: bool) -> OneToOne {
+        loop {
+            if let Some(pairs) = job.step(&mut || may_go_on) {
+                return pairs;
+            }
+        }
+    }
+
+    #[test]
+    fn gaps_that_all_fail_give_back_the_star_matching() {
+        for counts in [[3, 17], [17, 3], [5, 7], [9, 9]] {
+            for turn in 0..8 {
+                let (mut job, matching) = job(counts, [0.3, 0.8 * f64::from(turn)]);
+                for gap in &mut job.gaps {
+                    gap.failed = Some(DVec2::ZERO);
+                }
+                job.refine();
+                let ends = |join: &Join| (join.ends[0].vertex, join.ends[1].vertex);
+                let found: BTreeSet<_> = job.joins.iter().map(ends).collect();
+                let stars = matching.lines.iter().map(|line| (Some(line.from), Some(line.to)));
+                assert_eq!(found, stars.collect(), "{counts:?} {turn}");
+                assert_eq!(job.joins.len(), matching.lines.len());
+                assert_eq!(job.problem.counts(), (counts[0], counts[1]));
+                let pairs = run(job, true);
+                assert!(pairs.places.windows(2).all(|w| w[0].0 <= w[1].0 && w[0].1 <= w[1].1));
+                assert!(pairs.verified.iter().all(|&verified| verified));
+                assert_eq!(pairs.totals.sum, pairs.lines.iter().map(|line| line.value).sum::<f64>());
+                assert!((pairs.totals.sum - matching.totals.sum).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn small_steps_lead_to_the_same_pairs() {
+        let (whole, parts) =
+            (run(job([20, 31], [0.0, 2.0]).0, true), run(job([20, 31], [0.0, 2.0]).0, false));
+        assert_eq!(whole.places, parts.places);
+        assert_eq!(whole.totals, parts.totals);
     }
 }

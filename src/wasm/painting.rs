@@ -22,7 +22,7 @@ impl Painting {
     pub fn step(&mut self, budget: f64) -> f64 {
         let clock = clock();
         let start = clock.now();
-        while let Some(strip) = self.strips.next() {
+        for strip in self.strips.by_ref() {
             let end = self.filled + strip.len() as u32;
             self.data.subarray(self.filled, end).copy_from(&strip);
             self.filled = end;

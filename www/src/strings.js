@@ -536,7 +536,7 @@ export const strings = {
     disjoint: "No line connects the two curves. Move one nearer to the other.",
     crossing: "Some lines cross. Raise the samples.",
     "coarse-sampling": "The samples are too coarse for this shape. Raise them.",
-    "unverified-gap": "One-to-one lines do not fit everywhere: the gaps kept have lines that share ends. Raise the samples.",
+    "unverified-gap": "Some gaps do not fit one to one; their lines share ends. Raise the samples.",
     "sample-limit": "A curve has all 1000 samples and would need more. Raise the tolerance or the turn.",
     corner: "A corner has no single normal; its bisector is used.",
     "opposed-normals": "Some lines join normals that point against each other.",

@@ -7,6 +7,8 @@
  * @typedef {object} OpenOptions
  * @property {Partial<Origin>} [origin] where the document lives; nowhere yet when it is not given
  * @property {boolean} [edited] whether it differs from its file
+ * @property {boolean} [foreign] whether it comes from outside: its curves are then tried as well, while what this browser kept is
+ *   shown as it was left
  */
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
@@ -23,9 +25,10 @@ import { splitView } from "./document-view.js";
  * @param {OpenOptions} [options]
  * @returns {Promise<boolean>} whether it was opened
  */
-export async function openDocument(app, raw, name, { origin, edited = false } = {}) {
+export async function openDocument(app, raw, name, { origin, edited = false, foreign = false } = {}) {
   try {
     const { document, ui, place } = splitView(await completed(app.kernel, raw));
+    if (foreign) await app.kernel.fit(document, { width: 1, height: 1 });
     app.store.open(document, edited, originOf(origin));
     const { size } = app.ui.value;
     app.ui.set({
@@ -63,7 +66,7 @@ export async function openText(app, name, text, options) {
       refuse(app, name, `${strings.errors.notJson} (${problem(error).message})`);
       return false;
     }
-    if (isDocument(raw)) return openDocument(app, raw, name, options);
+    if (isDocument(raw)) return openDocument(app, raw, name, { ...options, foreign: true });
   }
   const { importText } = await import("../import/import.js");
   return importText(app, name, text);

@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Format, Table, Wanted } from "../files/contents.js"
  */
+import "../../styles/export.css";
 import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";

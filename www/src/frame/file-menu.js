@@ -5,8 +5,10 @@
  * @import { Item } from "./menu.js"
  */
 import { commandItems } from "../commands.js";
-import { save, saveCopy } from "../files/save.js";
 import { strings } from "../strings.js";
+
+/** Loaded when something is saved; the browser counts the press for long enough. */
+export const saving = () => import("../files/save.js");
 
 /**
  * @param {App} app
@@ -18,8 +20,8 @@ export function fileItems(app, choose) {
   return [
     ...commandItems(app, ["new"]),
     { name: "open", text: words.open, keys: "Ctrl+O", act: choose },
-    { name: "save", text: words.save, keys: "Ctrl+S", act: () => void save(app) },
-    { name: "save-copy", text: words.saveCopy, keys: "Ctrl+Shift+S", act: () => void saveCopy(app) },
+    { name: "save", text: words.save, keys: "Ctrl+S", act: () => void saving().then(({ save }) => save(app)) },
+    { name: "save-copy", text: words.saveCopy, keys: "Ctrl+Shift+S", act: () => void saving().then(({ saveCopy }) => saveCopy(app)) },
     {
       name: "recent",
       text: words.recent,

@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Head } from "../storage/records.js"
  */
+import "../../styles/recent.css";
 import { h } from "../dom.js";
 import { icon } from "../icons.js";
 import { claimed } from "../storage/claims.js";
@@ -225,8 +226,8 @@ export async function showRecent(app) {
 /** Both pictures of a document; the style sheet shows the one of the theme. @param {Head} head */
 function picture({ thumbnail }) {
   const themes = /** @type {const} */ (["light", "dark"]);
-  if (!thumbnail) return [h("span", { class: "thumbnail" })];
-  return themes.map((theme) => h("img", { class: `thumbnail on-${theme}`, src: thumbnail[theme], alt: "" }));
+  if (!thumbnail) return [h("span", { class: "recent-picture" })];
+  return themes.map((theme) => h("img", { class: `recent-picture on-${theme}`, src: thumbnail[theme], alt: "" }));
 }
 
 /** @param {string} title @param {string} line */

@@ -4,7 +4,7 @@
  * @import { App } from "../state/app.js"
  */
 import { commandOf, runCommand } from "../commands.js";
-import { save, saveCopy } from "../files/save.js";
+import { saving } from "./file-menu.js";
 
 /** Commands that a text field leaves to the page, as long as nothing is being typed in it. */
 const PAST_FIELDS = ["undo", "redo"];
@@ -43,7 +43,7 @@ export function listenToShortcuts(app, { togglePlay, choose }) {
     // What is still being typed belongs to the document that is saved.
     if (target instanceof HTMLInputElement) target.blur();
     if (key === "o") choose();
-    else void (event.shiftKey ? saveCopy : save)(app);
+    else void saving().then(({ save, saveCopy }) => (event.shiftKey ? saveCopy : save)(app));
     return true;
   }
 }

@@ -5,6 +5,7 @@
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument, Point } from "../types.js"
  */
+import "../../styles/import.css";
 import { checkBox, segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { slider } from "../controls/slider.js";
