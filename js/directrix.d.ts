@@ -65,6 +65,14 @@ export interface CurvesDocument {
   };
   matching: {
     method: "exact" | "greedy" | "one-per-vertex" | "shift" | "parameter";
+    /** Of the method `exact`. */
+    objective?: "integral" | "sum" | "sum-less-price";
+    /** Of the objective `sum-less-price`. */
+    linePrice?: number;
+    /** Number of one-to-one lines of the method `exact`. */
+    lines?: number;
+    /** Of the method `shift`. */
+    shift?: number | "best";
     normalWeight?: number;
     distanceWeight?: number;
     alignmentWeight?: number;
@@ -72,7 +80,7 @@ export interface CurvesDocument {
     oneToOne?: boolean;
     policy?: "strict" | "repair";
     pins?: { u: number; v: number }[];
-    printed?: string[];
+    printed?: ("normals" | "negative" | "stop" | "removal" | "order" | "heights" | "stages")[];
   };
   blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
   view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number };
@@ -83,11 +91,13 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
   lines?: number[];
+  /** Indices of pins. */
+  pins?: number[];
   parameter?: number;
   /** Degrees. */
   turn?: number;
@@ -112,7 +122,7 @@ export interface Line {
   visible: boolean;
 }
 
-/** A one-to-one line; at a gap that could not be verified, a line of the star matching. */
+/** A one-to-one line; at a gap of the method `greedy` that could not be verified, a line of the star matching. */
 export interface Pair {
   /** Parameter on the first counter-clockwise curve. */
   u: number;
@@ -134,8 +144,16 @@ export interface LineTotals {
   mean: number | null;
   /** J; null when a sample has no line. */
   integral: number | null;
+  /** Upper bound of J; null where eta is. */
+  bound: number | null;
   /** J over its upper bound; null when J is, or when the bound is not positive. */
   eta: number | null;
+  /** Sum of f over as many lines, evenly spread along the correspondence; null without lines. */
+  spreadSum: number | null;
+  /** Smallest product of normals; null without lines. */
+  leastCosine: number | null;
+  /** Length of the longest line; null without lines. */
+  longest: number | null;
   crossings: number;
   blocked: number;
   /** Samples of each curve without a line. */
@@ -157,11 +175,15 @@ export interface Match {
   /** Parameters [u, v] of every line, or pair where there are pairs, ascending beyond the ends of their domains; empty unless `ok`. */
   reparameterisation: [number, number][];
   totals: {
-    /** Every line that the growth accepted, before redundant ones are removed. */
+    /** Every line that the growth of the method `greedy` accepted, before redundant ones are removed. */
     growth: { count: number; sum: number } | null;
     lines: LineTotals | null;
     pairs: LineTotals | null;
   };
+  /** How far J stays below the optimum; null where that is not known. */
+  gap: number | null;
+  /** Whether the optimum is that on the curves themselves or that between the same samples. */
+  gapKind: "refined" | "lattice" | null;
 }
 
 /** A closed polyline at the share s of the way from curve 1 to curve 2. */

@@ -30,6 +30,35 @@ pub struct Samples {
     pub length: f64,
 }
 
+impl Samples {
+    /// Adds samples at parameters, wrapped into the domain, where there is none yet; returns the number of the sample at each.
+    ///
+    /// A parameter closer than a billionth of the domain to a sample means that sample.
+    pub fn insert(&mut self, curve: &ClosedBSpline, parameters: &[f64]) -> Vec<usize> {
+        let (lo, hi) = curve.domain();
+        let close = 1e-9 * (hi - lo);
+        let arc_length = curve.arc_length();
+        let parameters: Vec<f64> = parameters
+            .iter()
+            .map(|&u| {
+                let wrapped = curve.wrap(u);
+                if hi - wrapped < close { lo } else { wrapped }
+            })
+            .collect();
+        let nearest = |known: &[f64], u: f64| known.iter().position(|&known| (known - u).abs() < close);
+        for &u in &parameters {
+            if nearest(&self.parameters, u).is_none() {
+                let at = self.parameters.partition_point(|&known| known < u);
+                self.parameters.insert(at, u);
+                self.points.insert(at, curve.point(u));
+                self.normals.insert(at, curve.normal(u));
+                self.arc.insert(at, arc_length.at(u));
+            }
+        }
+        parameters.iter().map(|&u| nearest(&self.parameters, u).unwrap_or(0)).collect()
+    }
+}
+
 /// Takes `count` samples of a curve, the first at the start of its domain.
 ///
 /// Where the curve stands still several samples by parameter may be the same point; by arc length none are. Arc
@@ -61,4 +90,25 @@ pub fn sample(curve: &ClosedBSpline, scheme: Scheme, count: usize) -> Samples {
     let points = parameters.iter().map(|&u| curve.point(u)).collect();
     let normals = parameters.iter().map(|&u| curve.normal(u)).collect();
     Samples { parameters, points, normals, arc, length }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Form;
+    use super::*;
+
+    #[test]
+    fn inserted_samples_are_found_again_and_known_ones_stay() {
+        let square = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(DVec2::from).to_vec();
+        let curve = ClosedBSpline::new(3, Form::Periodic, square, None).expect("a square");
+        let mut samples = sample(&curve, Scheme::Parameter, 4);
+        let numbers = samples.insert(&curve, &[0.6, 0.25, 1.1, 1.0, 0.6 + 1e-12]);
+        assert_eq!(numbers, [4, 2, 1, 0, 4]);
+        assert_eq!(samples.parameters.len(), 6);
+        assert!(
+            samples.parameters.windows(2).all(|w| w[0] < w[1]) && samples.arc.windows(2).all(|w| w[0] < w[1])
+        );
+        assert!(samples.points[4].distance(curve.point(0.6)) < 1e-12);
+        assert_eq!((samples.normals.len(), samples.arc.len()), (6, 6));
+    }
 }

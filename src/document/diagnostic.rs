@@ -1,6 +1,7 @@
 //! Remarks on a document whose fields are all valid.
 
 use crate::geom::ShownPlace;
+use crate::matching::Obstacle;
 use glam::DVec2;
 use std::fmt;
 
@@ -49,6 +50,32 @@ pub enum Diagnostic {
         /// Indices of the vertices.
         vertices: Vec<usize>,
     },
+    /// Neighbouring vertices each of which sees the other curve, but which cannot all have lines at once.
+    Jammed {
+        /// Number of the curve.
+        curve: usize,
+        /// Indices of the vertices, in order round the curve.
+        vertices: Vec<usize>,
+    },
+    /// Greedy lines left vertices bare although another method reaches all of them.
+    Solvable,
+    /// Pins that cannot be kept.
+    Pins {
+        /// Indices of the pins.
+        pins: Vec<usize>,
+        /// Why.
+        obstacle: Obstacle,
+    },
+    /// Lines that are not visible, added to reach every vertex.
+    Occluded {
+        /// Indices of the lines.
+        lines: Vec<usize>,
+    },
+    /// One-to-one lines that meet a curve or cross another line.
+    Unverified {
+        /// Indices of the pairs.
+        lines: Vec<usize>,
+    },
     /// A gap between two lines in which inserted lines meet a polygon or another line; it keeps the lines it had.
     UnverifiedGap {
         /// Indices of the pairs from one side of the gap to the other.
@@ -81,6 +108,11 @@ impl Diagnostic {
             Self::OpposedNormals { .. } => "opposed-normals",
             Self::Orphan { .. } => "orphan",
             Self::Stuck { .. } => "stuck",
+            Self::Jammed { .. } => "jammed",
+            Self::Solvable => "solvable",
+            Self::Pins { .. } => "pins",
+            Self::Occluded { .. } => "occluded",
+            Self::Unverified { .. } => "unverified",
             Self::UnverifiedGap { .. } => "unverified-gap",
             Self::Disjoint => "disjoint",
             Self::Crossing { .. } => "crossing",
@@ -131,10 +163,22 @@ impl fmt::Display for Diagnostic {
                 write!(f, "; it keeps the lines it had")
             }
             Self::Disjoint => write!(f, "neither curve lies inside the other; move one curve into the other"),
+            Self::Jammed { curve, vertices } => write!(
+                f,
+                "{} neighbouring vertices of curve {curve} cannot all have lines at once",
+                vertices.len()
+            ),
+            Self::Solvable => write!(f, "the method `exact` reaches every vertex"),
+            Self::Pins { obstacle, .. } => write!(f, "{obstacle}"),
+            Self::Occluded { lines } => {
+                write!(f, "{} lines were added that pass through a curve", lines.len())
+            }
+            Self::Unverified { lines } => {
+                write!(f, "{} one-to-one lines meet a curve or cross another", lines.len())
+            }
             Self::Crossing { at } => {
                 write!(f, "the curves cross in projection")?;
-                near(f, at)?;
-                write!(f, "; matching such curves comes with a later release")
+                near(f, at)
             }
             Self::CoarseSampling { at } => {
                 write!(f, "the sampled polygons meet although the curves do not")?;

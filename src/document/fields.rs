@@ -1,11 +1,12 @@
 //! The fields of a curves document, read and checked one by one, with the defaults of those left out.
 
-use super::DocumentError;
 use super::node::Node;
 use super::schema::{
-    Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LARGEST, LayerName, MatchingSpec,
-    MaterialSpec, Method, NegativeMode, Policy, SMALLEST, Sampling, SamplingScheme, View,
+    BestShift, Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LARGEST, LayerName,
+    MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule, SMALLEST,
+    Sampling, SamplingScheme, Shift, View,
 };
+use super::{Code, DocumentError};
 use crate::curve::Fineness;
 
 type Read<T> = Result<T, DocumentError>;
@@ -169,27 +170,39 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
         "printed",
     ])?;
     let method = node.need("method")?;
-    if method.choice(&["greedy", "exact", "one-per-vertex", "shift", "parameter"])? != 0 {
-        return Err(method.not_yet("methods other than `greedy`"));
-    }
-    later(node, &["objective", "linePrice", "lines"], "settings of exact methods")?;
-    later(node, &["shift"], "settings of the method `shift`")?;
-    if let Some(policy) = node.get("policy")?
-        && policy.choice(&["strict", "repair"])? != 0
-    {
-        return Err(policy.not_yet("policies other than `strict`"));
-    }
-    for (field, what) in [("pins", "pinned pairs"), ("printed", "rules as printed")] {
-        if let Some(list) = node.get(field)?
-            && let Some(first) = list.items()?.first()
-        {
-            return Err(first.not_yet(what));
+    let method = match method.choice(&["greedy", "exact", "one-per-vertex", "shift", "parameter"])? {
+        0 => Method::Greedy,
+        1 => Method::Exact,
+        2 => Method::OnePerVertex,
+        3 => Method::Shift,
+        _ => Method::Parameter,
+    };
+    let objective =
+        node.get("objective")?.map(|n| n.choice(&["integral", "sum", "sum-less-price"])).transpose()?;
+    let objective = match objective {
+        Some(1) => Some(ObjectiveName::Sum),
+        Some(2) => Some(ObjectiveName::SumLessPrice),
+        None if method != Method::Exact => None,
+        _ => Some(ObjectiveName::Integral),
+    };
+    let line_price = node.get("linePrice")?.map(|n| n.within(0.0..=LARGEST)).transpose()?;
+    let shift = match node.get("shift")? {
+        Some(shift) if shift.is_text() => {
+            shift.choice(&["best"])?;
+            Some(Shift::Best(BestShift::Best))
         }
-    }
+        Some(shift) => Some(Shift::By(shift.count_within(0..=999)?)),
+        None => (method == Method::Shift).then_some(Shift::Best(BestShift::Best)),
+    };
+    let pins = node.get("pins")?.map_or_else(|| Ok(Vec::new()), |n| pins(&n, method))?;
     let weight =
         |name: &str, default: f64| node.get(name)?.map_or(Ok(default), |n| n.within(0.0..=LARGEST_WEIGHT));
     Ok(MatchingSpec {
-        method: Method::Greedy,
+        method,
+        objective,
+        line_price: line_price.or_else(|| (objective == Some(ObjectiveName::SumLessPrice)).then_some(0.0)),
+        lines: node.get("lines")?.map(|n| n.count_within(3..=1000)).transpose()?,
+        shift,
         normal_weight: weight("normalWeight", 1.0)?,
         distance_weight: weight("distanceWeight", 2.0)?,
         alignment_weight: weight("alignmentWeight", 0.0)?,
@@ -199,8 +212,45 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
             _ => NegativeMode::Half,
         },
         one_to_one: node.get("oneToOne")?.map_or(Ok(false), |n| n.flag())?,
-        policy: Policy::Strict,
+        policy: match node.get("policy")?.map_or(Ok(0), |n| n.choice(&["strict", "repair"]))? {
+            0 => Policy::Strict,
+            _ => Policy::Repair,
+        },
+        pins,
+        printed: node.get("printed")?.map_or_else(|| Ok(Vec::new()), |n| printed(&n))?,
     })
+}
+
+/// Most pins of a document.
+const MOST_PINS: usize = 200;
+
+fn pins(list: &Node<'_>, method: Method) -> Read<Vec<Pin>> {
+    let items = list.items()?;
+    if !items.is_empty() && method != Method::Exact {
+        let message = "pins were found; expected none, because only the method `exact` can keep them";
+        return Err(list.error(Code::Range, message.to_owned()));
+    }
+    list.check_count(items.len(), " pins", 0..=MOST_PINS)?;
+    let mut pins = Vec::with_capacity(items.len());
+    for item in &items {
+        item.only(&["u", "v"])?;
+        let place = |name: &str| item.need(name)?.within(-LARGEST..=LARGEST);
+        pins.push(Pin { u: place("u")?, v: place("v")? });
+    }
+    Ok(pins)
+}
+
+fn printed(list: &Node<'_>) -> Read<Vec<PrintedRule>> {
+    let mut rules = Vec::new();
+    for item in list.items()? {
+        match PrintedRule::ALL.get(item.choice(&PrintedRule::NAMES)?) {
+            Some(rule) => rules.push(*rule),
+            None => return Err(item.not_yet("in-between curves as printed")),
+        }
+    }
+    rules.sort_unstable();
+    rules.dedup();
+    Ok(rules)
 }
 
 fn blend(node: &Node<'_>) -> Read<Blend> {
@@ -242,16 +292,6 @@ pub(crate) fn layers(node: &Node<'_>) -> Read<Vec<LayerName>> {
         layers.push(LayerName::ALL[item.choice(&LayerName::NAMES)?]);
     }
     Ok(layers)
-}
-
-/// Refuses fields that only later releases use, whatever their value.
-fn later(node: &Node<'_>, fields: &[&str], what: &str) -> Read<()> {
-    for field in fields {
-        if let Some(found) = node.get(field)? {
-            return Err(found.not_yet(what));
-        }
-    }
-    Ok(())
 }
 
 /// Two materials whose half-way mix stays clean.

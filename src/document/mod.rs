@@ -15,6 +15,7 @@ mod node;
 mod read;
 mod schema;
 mod solve;
+mod work;
 
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
@@ -28,7 +29,8 @@ pub use read::{LONGEST_TEXT, check_length, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub use read::{read_text, write_text};
 pub use schema::{
-    Blend, BlendKind, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LayerName, MatchingSpec,
-    MaterialSpec, Method, NegativeMode, Policy, Sampling, SamplingScheme, View,
+    BestShift, Blend, BlendKind, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LayerName,
+    MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule, Sampling,
+    SamplingScheme, Shift, View,
 };
-pub use solve::{Outcome, Solution, Solve};
+pub use solve::{Gap, GapKind, Outcome, Solution, Solve};

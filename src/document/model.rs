@@ -1,6 +1,6 @@
 //! The curves of a document, ready for evaluation.
 
-use super::schema::{BLANK, CurveForm, CurveSpec, NegativeMode, SamplingScheme};
+use super::schema::{BLANK, CurveForm, CurveSpec, Method, NegativeMode, PrintedRule, SamplingScheme};
 use super::{Code, CurvesDocument, DocumentError};
 use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
 use crate::geom::{Bounds, ShownPlace};
@@ -18,6 +18,7 @@ pub struct Model {
     reversed: Vec<bool>,
     samples: Vec<Samples>,
     coarse: Vec<usize>,
+    pins: Vec<(usize, usize)>,
     profiles: Vec<Profile>,
     materials: Vec<Material>,
 }
@@ -45,7 +46,17 @@ impl Model {
                 coarse.push(k);
             }
         }
-        Ok(Self { curves, reversed, samples, coarse, profiles, materials, document })
+        if let ([first, second], Method::Shift | Method::Parameter) =
+            (curves.as_slice(), document.matching.method)
+        {
+            samples = resample([first, second], &samples, document.sampling.scheme);
+        }
+        let pins = if document.matching.pins.is_empty() {
+            Vec::new()
+        } else {
+            pins(&document, &curves, &reversed, &mut samples)
+        };
+        Ok(Self { curves, reversed, samples, coarse, pins, profiles, materials, document })
     }
 
     /// The document.
@@ -78,6 +89,12 @@ impl Model {
         &self.coarse
     }
 
+    /// Pinned pairs, by the numbers of their samples on the first and the second curve.
+    #[must_use]
+    pub fn pins(&self) -> &[(usize, usize)] {
+        &self.pins
+    }
+
     /// The two curves and their samples, once both are there.
     #[must_use]
     pub fn pair(&self) -> Option<(&[ClosedBSpline; 2], &[Samples; 2])> {
@@ -98,7 +115,9 @@ impl Model {
             normal: matching.normal_weight,
             distance: matching.distance_weight,
             alignment: matching.alignment_weight,
+            heights: !matching.is_printed(PrintedRule::Heights),
             negative: match matching.negative {
+                _ if matching.is_printed(PrintedRule::Negative) => NegativeProducts::Printed,
                 NegativeMode::Signed => NegativeProducts::Signed,
                 NegativeMode::Clamp => NegativeProducts::Clamp,
                 NegativeMode::Half => NegativeProducts::Half,
@@ -195,6 +214,35 @@ fn samples_of(curve: &ClosedBSpline, k: usize, document: &CurvesDocument) -> (Sa
         SamplingScheme::Adaptive => return sample_adaptively(curve, sampling.fineness(&document.curves)),
     };
     (sample(curve, scheme, sampling.counts[k]), true)
+}
+
+/// Samples both curves at the larger of their counts: by parameter where the scheme says so, else by arc length.
+fn resample(curves: [&ClosedBSpline; 2], samples: &[Samples], scheme: SamplingScheme) -> Vec<Samples> {
+    let count = samples.iter().map(|samples| samples.parameters.len()).max().unwrap_or(3);
+    let scheme = match scheme {
+        SamplingScheme::Parameter => Scheme::Parameter,
+        SamplingScheme::ArcLength | SamplingScheme::Adaptive => Scheme::ArcLength,
+    };
+    curves.iter().map(|curve| sample(curve, scheme, count)).collect()
+}
+
+/// Adds samples at the ends of the pins; returns their numbers.
+fn pins(
+    document: &CurvesDocument,
+    curves: &[ClosedBSpline],
+    reversed: &[bool],
+    samples: &mut [Samples],
+) -> Vec<(usize, usize)> {
+    let mut numbers = Vec::new();
+    for ((k, curve), samples) in curves.iter().enumerate().zip(samples) {
+        let (lo, hi) = curve.domain();
+        let ends = document.matching.pins.iter().map(|pin| if k == 0 { pin.u } else { pin.v });
+        let oriented: Vec<f64> = ends.map(|u| if reversed[k] { lo + hi - u } else { u }).collect();
+        numbers.push(samples.insert(curve, &oriented));
+    }
+    let mut numbers = numbers.into_iter();
+    let (first, second) = (numbers.next().unwrap_or_default(), numbers.next().unwrap_or_default());
+    first.into_iter().zip(second).collect()
 }
 
 /// Builds a curve as drawn.

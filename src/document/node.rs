@@ -154,6 +154,11 @@ impl<'a> Node<'a> {
         })
     }
 
+    /// Tells whether the value is a text.
+    pub(crate) fn is_text(&self) -> bool {
+        matches!(self.value, Json::Text(_))
+    }
+
     /// Tells whether the value is null.
     pub(crate) fn is_null(&self) -> bool {
         *self.value == Json::Null

@@ -194,22 +194,7 @@ mod tests {
 
     #[test]
     fn values_of_later_releases_are_refused_by_path() {
-        for method in ["exact", "one-per-vertex", "shift", "parameter"] {
-            expect_at(Code::NotYet, "matching.method", "/matching/method", json!(method));
-        }
-        for (field, value) in [
-            ("objective", json!("integral")),
-            ("linePrice", json!(0.1)),
-            ("lines", json!(44)),
-            ("shift", json!("best")),
-            ("shift", json!(4)),
-            ("policy", json!("repair")),
-        ] {
-            let path = format!("matching.{field}");
-            expect_at(Code::NotYet, &path, &format!("/matching/{field}"), value);
-        }
-        expect_at(Code::NotYet, "matching.pins[0]", "/matching/pins", json!([{"u": 0.1, "v": 0.2}]));
-        expect_at(Code::NotYet, "matching.printed[0]", "/matching/printed", json!(["normals"]));
+        expect_at(Code::NotYet, "matching.printed[0]", "/matching/printed", json!(["stages"]));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("cubic"));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("harmonic"));
         expect_at(Code::NotYet, "curves[0].form", "/curves/0/form", json!("open"));
@@ -218,7 +203,41 @@ mod tests {
     }
 
     #[test]
+    fn settings_of_methods_have_the_stated_defaults() {
+        let with = |matching: Value| {
+            let mut document = minimal();
+            document["matching"] = matching;
+            let read = read_text(&document.to_string()).expect("valid");
+            assert_eq!(read_text(&write_text(&read).expect("finite")), Ok(read.clone()));
+            read.matching
+        };
+        let greedy = with(json!({"method": "greedy"}));
+        assert_eq!((greedy.objective, greedy.shift, greedy.line_price), (None, None, None));
+        let exact = with(
+            json!({"method": "exact", "pins": [{"u": 0.25, "v": -1}], "printed": ["heights", "normals"]}),
+        );
+        assert_eq!(exact.objective, Some(super::super::ObjectiveName::Integral));
+        assert_eq!((exact.lines, exact.pins.len()), (None, 1));
+        assert!(exact.is_printed(super::super::PrintedRule::Normals));
+        let priced = with(json!({"method": "exact", "objective": "sum-less-price"}));
+        assert_eq!(priced.line_price, Some(0.0));
+        let shift = with(json!({"method": "shift"}));
+        assert_eq!(shift.shift, Some(super::super::Shift::Best(super::super::BestShift::Best)));
+        let shift = with(json!({"method": "shift", "shift": 4}));
+        assert_eq!(shift.shift, Some(super::super::Shift::By(4)));
+    }
+
+    #[test]
     fn values_out_of_range_are_refused_by_path() {
+        expect_at(Code::Range, "matching.objective", "/matching/objective", json!("mean"));
+        expect_at(Code::Range, "matching.linePrice", "/matching/linePrice", json!(-1));
+        expect_at(Code::Range, "matching.lines", "/matching/lines", json!(2));
+        expect_at(Code::Limit, "matching.lines", "/matching/lines", json!(1001));
+        expect_at(Code::Range, "matching.shift", "/matching/shift", json!("most"));
+        expect_at(Code::Type, "matching.shift", "/matching/shift", json!(-3));
+        expect_at(Code::Range, "matching.policy", "/matching/policy", json!("mend"));
+        expect_at(Code::Range, "matching.pins", "/matching/pins", json!([{"u": 0.1, "v": 0.2}]));
+        expect_at(Code::Range, "matching.printed[1]", "/matching/printed", json!(["stop", "start"]));
         expect_at(Code::Range, "curves[1].height", "/curves/1/height", json!(1e300));
         expect_at(Code::Range, "sampling.counts", "/sampling/counts", json!([4]));
         expect_at(Code::Range, "sampling.counts[1]", "/sampling/counts", json!([4, 2]));

@@ -140,6 +140,18 @@ pub enum SamplingScheme {
 pub struct MatchingSpec {
     /// Method; always written out.
     pub method: Method,
+    /// What the method `exact` maximises; there with that method alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub objective: Option<ObjectiveName>,
+    /// Price of a line with the objective `sum-less-price`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line_price: Option<f64>,
+    /// Number of one-to-one lines of the method `exact`, 3 to 1000; as many as the larger number of samples without it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lines: Option<usize>,
+    /// Number of samples by which the method `shift` is ahead on the second curve; the best one without it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shift: Option<Shift>,
     /// Exponent of the product of the normals, 0 to 100.
     pub normal_weight: f64,
     /// Exponent of the length, 0 to 100.
@@ -152,6 +164,87 @@ pub struct MatchingSpec {
     pub one_to_one: bool,
     /// What to do where the constraints cannot hold.
     pub policy: Policy,
+    /// Pairs of places that the method `exact` must join.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pins: Vec<Pin>,
+    /// Rules that are taken as the papers print them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub printed: Vec<PrintedRule>,
+}
+
+impl MatchingSpec {
+    /// Tells whether a rule is taken as printed.
+    #[must_use]
+    pub fn is_printed(&self, rule: PrintedRule) -> bool {
+        self.printed.contains(&rule)
+    }
+}
+
+/// What the method `exact` maximises.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObjectiveName {
+    /// The integral J.
+    Integral,
+    /// The sum of the values.
+    Sum,
+    /// The sum of the values less a price for each line.
+    SumLessPrice,
+}
+
+/// How far the method `shift` shifts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
+pub enum Shift {
+    /// By a number of samples, taken modulo their number.
+    By(usize),
+    /// By the number with the greatest sum.
+    Best(BestShift),
+}
+
+/// The word `best`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BestShift {
+    /// Every shift is tried.
+    Best,
+}
+
+/// A pair of places that a line must join.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Pin {
+    /// Parameter on the first curve as drawn.
+    pub u: f64,
+    /// Parameter on the second curve as drawn.
+    pub v: f64,
+}
+
+/// Rules that the papers print otherwise than they are repaired.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PrintedRule {
+    /// The normal of the second curve points inwards: a perfect match has the product -1.
+    Normals,
+    /// Negative products keep their exponent: even ones reward opposed normals, fractional ones have no value.
+    Negative,
+    /// The growth stops when it finds the best line again, with one line.
+    Stop,
+    /// The lowest line of all is removed while any is redundant.
+    Removal,
+    /// Order is an interval of indices, without laps.
+    Order,
+    /// The heights do not count in lengths.
+    Heights,
+}
+
+impl PrintedRule {
+    /// Every rule.
+    pub const ALL: [Self; 6] =
+        [Self::Normals, Self::Negative, Self::Stop, Self::Removal, Self::Order, Self::Heights];
+
+    /// Their names in documents, in the same order, and last the one that a later release knows.
+    pub const NAMES: [&'static str; 7] =
+        ["normals", "negative", "stop", "removal", "order", "heights", "stages"];
 }
 
 /// Matching methods.
@@ -160,6 +253,14 @@ pub struct MatchingSpec {
 pub enum Method {
     /// Greedy ruling line construction.
     Greedy,
+    /// The exact optimum.
+    Exact,
+    /// The papers' dynamic programme: the greatest sum with at most one line a vertex.
+    OnePerVertex,
+    /// Vertex to vertex, shifted by an index.
+    Shift,
+    /// Vertex to vertex by index.
+    Parameter,
 }
 
 /// How a negative product of normals counts.
@@ -180,6 +281,8 @@ pub enum NegativeMode {
 pub enum Policy {
     /// Say so, and keep the sound part.
     Strict,
+    /// Reach every vertex with as few occluded lines as possible.
+    Repair,
 }
 
 /// How shape and material go over from one curve to the other.

@@ -1,9 +1,11 @@
 //! From a document to its matching, in steps.
 
+use super::work::{Found, Work};
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
 use crate::curve::ClosedBSpline;
 use crate::matching::{
-    Greedy, Insertion, Matching, OneToOne, Outline, Problem, ProblemError, RulingLine, Totals, Weights,
+    Details, Layout, Matching, OneToOne, Problem, ProblemError, RulingLine, Totals, Weights, details,
+    places_of, places_of_pairs,
 };
 use crate::morph::Band;
 
@@ -16,6 +18,25 @@ pub struct Solution {
     pub outcome: Outcome,
     /// Remarks on the geometry.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+/// How far the integral J of the lines stays below the greatest one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// One less the ratio; for the method `exact` on the curves themselves the last relative change of its refinement. Pairs lie off the
+    /// samples and may exceed the optimum between these: then it is below 0.
+    pub value: f64,
+    /// What it is measured against.
+    pub kind: GapKind,
+}
+
+/// What a gap is measured against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GapKind {
+    /// The optimum on the curves themselves.
+    Refined,
+    /// The optimum between the same samples.
+    Lattice,
 }
 
 /// What came out of matching a document.
@@ -33,8 +54,17 @@ pub enum Outcome {
         matching: Box<Matching>,
         /// Lines with ends of their own, where the document asks for them and the matching is complete.
         pairs: Option<Box<OneToOne>>,
-        /// The band between the curves; only where every vertex has a line and no constraint is broken.
+        /// The band between the curves; only where every vertex has a line and no constraint is broken, or where occluded lines were
+        /// added until every vertex has one.
         band: Option<Band>,
+        /// Whether every vertex has a line, or the pairs stand in for that, and no constraint is broken.
+        is_complete: bool,
+        /// Indices of lines that are not visible, added by the policy `repair`.
+        occluded: Vec<usize>,
+        /// How far J stays below the optimum; of complete matchings whose optimum is known.
+        gap: Option<Gap>,
+        /// Further figures of the lines and of the pairs.
+        details: [Option<Details>; 2],
     },
 }
 
@@ -42,7 +72,7 @@ impl Solution {
     /// Tells whether every vertex has a line and no constraint is broken.
     #[must_use]
     pub fn is_complete(&self) -> bool {
-        self.band().is_some()
+        matches!(self.outcome, Outcome::Matched { is_complete: true, .. })
     }
 
     /// The band between the curves, where the matching is complete.
@@ -89,12 +119,8 @@ pub struct Solve {
 #[derive(Debug)]
 enum State {
     Ready(Box<(Outcome, Vec<Diagnostic>)>),
-    Growing(Box<Greedy>),
-    Inserting(Box<(Problem, Matching, Insertion)>),
+    Working(Box<Work>),
 }
-
-/// Share of the work that growing takes where insertion follows.
-const GROWING: f64 = 0.6;
 
 impl Solve {
     /// Builds the curves of a document and prepares their matching.
@@ -113,23 +139,10 @@ impl Solve {
     /// Advances while `may_go_on` says so, at least by a little; returns the solution when it is found, and `None` ever
     /// after.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Solution> {
-        if let State::Growing(job) = &mut self.state {
-            let matching = job.step(may_go_on)?;
-            let problem = job.problem().clone();
-            let model = self.model.as_ref()?;
-            let wanted = model.document().matching.one_to_one && matching.is_complete();
-            self.state = match model.pair().filter(|_| wanted) {
-                Some((curves, samples)) => {
-                    let job = Insertion::new(curves, samples, &problem, &matching);
-                    State::Inserting(Box::new((problem, matching, job)))
-                }
-                None => matched(model, problem, matching, None),
-            };
-        }
-        if let State::Inserting(work) = &mut self.state {
-            let pairs = work.2.step(may_go_on)?;
-            let model = self.model.as_ref()?;
-            self.state = matched(model, work.0.clone(), work.1.clone(), Some(Box::new(pairs)));
+        if let State::Working(work) = &mut self.state {
+            let found = work.step(may_go_on)?;
+            let problem = work.problem().clone();
+            self.state = matched(self.model.as_ref()?, problem, found);
         }
         let State::Ready(ready) = &mut self.state else { return None };
         let model = self.model.take()?;
@@ -142,11 +155,7 @@ impl Solve {
     pub fn progress(&self) -> f64 {
         match &self.state {
             State::Ready(_) => 1.0,
-            State::Growing(job) => {
-                let inserts = self.model.as_ref().is_some_and(|m| m.document().matching.one_to_one);
-                job.progress() * if inserts { GROWING } else { 1.0 }
-            }
-            State::Inserting(work) => GROWING + (1.0 - GROWING) * work.2.progress(),
+            State::Working(work) => work.progress(),
         }
     }
 
@@ -167,13 +176,10 @@ impl Solve {
 fn prepare(model: &Model) -> State {
     let reason = match model.pair() {
         None => Diagnostic::Incomplete { curves: model.curves().len() },
-        Some((curves, samples)) => {
-            let outlines = samples.each_ref().map(Outline::from);
-            match Problem::new(outlines, model.weights(), model.gap()) {
-                Ok(problem) => return State::Growing(Box::new(Greedy::new(problem))),
-                Err(error) => why_unmatched(curves, model.gap(), error),
-            }
-        }
+        Some((curves, samples)) => match Work::new(model, curves, samples) {
+            Ok(work) => return State::Working(Box::new(work)),
+            Err(error) => why_unmatched(curves, model.gap(), error),
+        },
     };
     let mut diagnostics = curve_remarks(model);
     diagnostics.push(reason);
@@ -181,15 +187,39 @@ fn prepare(model: &Model) -> State {
 }
 
 /// Puts a matching together with its band and the remarks on it.
-fn matched(model: &Model, problem: Problem, matching: Matching, pairs: Option<Box<OneToOne>>) -> State {
+fn matched(model: &Model, problem: Problem, found: Found) -> State {
     let mut diagnostics = curve_remarks(model);
-    diagnostics.extend(remarks(model.weights(), &problem, &matching));
+    if problem.layout() == Layout::Crossing
+        && let Some(([first, second], _)) = model.pair()
+    {
+        diagnostics.extend(first.contact(second).map(|meeting| Diagnostic::Crossing { at: meeting.at }));
+    }
+    let is_complete = found.is_complete();
+    let is_grown = !found.matching.growth.is_empty();
+    diagnostics.extend(remarks(model.weights(), &problem, &found.matching, is_grown));
+    let Found { matching, pairs, gap, occluded, diagnostics: more, .. } = found;
+    diagnostics.extend(more);
     let failed = pairs.iter().flat_map(|pairs| &pairs.failed);
     diagnostics.extend(failed.map(|gap| Diagnostic::UnverifiedGap { lines: gap.lines.clone(), at: gap.at }));
     let count = pairs.as_ref().map_or(matching.lines.len(), |pairs| pairs.lines.len());
     let band = || band(model, &matching, pairs.as_deref(), rulings_per_line(count));
-    let band = matching.is_complete().then(band).flatten();
-    let outcome = Outcome::Matched { problem: Box::new(problem), matching: Box::new(matching), pairs, band };
+    let band = (is_complete || !occluded.is_empty()).then(band).flatten();
+    let details = model.pair().map_or([None, None], |(curves, _)| {
+        let of_pairs = pairs
+            .as_deref()
+            .and_then(|pairs| details(curves, &pairs.problem, &pairs.lines, &places_of_pairs(curves, pairs)));
+        [details(curves, &problem, &matching.lines, &places_of(&problem, &matching.lines)), of_pairs]
+    });
+    let outcome = Outcome::Matched {
+        problem: Box::new(problem),
+        matching: Box::new(matching),
+        pairs,
+        band,
+        is_complete,
+        occluded,
+        gap,
+        details,
+    };
     State::Ready(Box::new((outcome, diagnostics)))
 }
 
@@ -222,7 +252,7 @@ fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
     model.curves().iter().enumerate().flat_map(corners).chain(limits).collect()
 }
 
-fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diagnostic> {
+fn remarks(weights: Weights, problem: &Problem, matching: &Matching, is_grown: bool) -> Vec<Diagnostic> {
     let mut remarks = Vec::new();
     let opposed: Vec<usize> = (0..matching.lines.len())
         .filter(|&k| problem.cosine(matching.lines[k].from, matching.lines[k].to) < 0.0)
@@ -237,7 +267,7 @@ fn remarks(weights: Weights, problem: &Problem, matching: &Matching) -> Vec<Diag
         if !orphans.is_empty() {
             remarks.push(Diagnostic::Orphan { curve, vertices: orphans.clone() });
         }
-        if !stuck.is_empty() {
+        if !stuck.is_empty() && is_grown {
             remarks.push(Diagnostic::Stuck { curve, vertices: stuck });
         }
     }

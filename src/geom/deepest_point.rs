@@ -1,4 +1,4 @@
-//! The point of a polygon that lies farthest from its edges.
+//! The point inside polygons that lies farthest from their edges.
 
 use super::{Bounds, Location, locate};
 use glam::{DVec2, dvec2};
@@ -9,26 +9,29 @@ const MOST_SQUARES: usize = 4_000;
 /// The search ends when no square can hold a point deeper than this multiple of the best one.
 const GOOD_ENOUGH: f64 = 1.25;
 
-/// Returns a point strictly inside the polygon that lies far from its edges, or `None` when none was found (no area).
+/// Returns a point strictly inside all of the polygons that lies far from their edges, or `None` when none was found (they have no area
+/// in common, or next to none).
 ///
 /// Best-first search over squares, after Garcia-Castellanos and Lombardo, *Poles of inaccessibility* (2007); the depth is
 /// within a quarter of the greatest one. It does not return the deepest point itself, which no caller needs.
 #[must_use]
-pub fn deepest_point(polygon: &[DVec2]) -> Option<DVec2> {
-    let bounds = Bounds::of(polygon.iter().copied())?;
+pub fn deepest_point(polygons: &[&[DVec2]]) -> Option<DVec2> {
+    let boxes = polygons.iter().map(|polygon| Bounds::of(polygon.iter().copied()));
+    let common = |a: Bounds, b: Bounds| Bounds { min: a.min.max(b.min), max: a.max.min(b.max) };
+    let bounds = boxes.reduce(|a, b| Some(common(a?, b?)))??;
     let size = bounds.max - bounds.min;
     let half = size.min_element() / 2.0;
     if half <= 0.0 {
         return None;
     }
     let mut squares = BinaryHeap::new();
-    let mut best = Square::new(polygon, bounds.center(), 0.0);
+    let mut best = Square::new(polygons, bounds.center(), 0.0);
     let (columns, rows) = ((size.x / (2.0 * half)).ceil(), (size.y / (2.0 * half)).ceil());
     // A sliver as long as a thousand times its width is cut into at most as many squares as the search allows.
     for row in 0..rows.min(MOST_SQUARES as f64) as usize {
         for column in 0..columns.min(MOST_SQUARES as f64) as usize {
             let corner = bounds.min + 2.0 * half * dvec2(column as f64, row as f64);
-            squares.push(Square::new(polygon, corner + half, half));
+            squares.push(Square::new(polygons, corner + half, half));
         }
     }
     for _ in 0..MOST_SQUARES {
@@ -42,10 +45,11 @@ pub fn deepest_point(polygon: &[DVec2]) -> Option<DVec2> {
         let quarter = square.half / 2.0;
         for (dx, dy) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
             let center = square.center + quarter * dvec2(dx, dy);
-            squares.push(Square::new(polygon, center, quarter));
+            squares.push(Square::new(polygons, center, quarter));
         }
     }
-    (locate(polygon, best.center) == Location::Inside).then_some(best.center)
+    let is_inside = |polygon: &&[DVec2]| locate(polygon, best.center) == Location::Inside;
+    polygons.iter().all(is_inside).then_some(best.center)
 }
 
 #[derive(Clone, Copy)]
@@ -59,8 +63,9 @@ struct Square {
 }
 
 impl Square {
-    fn new(polygon: &[DVec2], center: DVec2, half: f64) -> Self {
-        let depth = depth(polygon, center);
+    fn new(polygons: &[&[DVec2]], center: DVec2, half: f64) -> Self {
+        let depths = polygons.iter().map(|polygon| depth(polygon, center));
+        let depth = depths.fold(f64::INFINITY, f64::min);
         Self { center, half, depth, reach: depth + half * std::f64::consts::SQRT_2 }
     }
 }
@@ -110,7 +115,7 @@ mod tests {
     #[test]
     fn square_has_its_middle() {
         let square = [dvec2(0.0, 0.0), dvec2(2.0, 0.0), dvec2(2.0, 2.0), dvec2(0.0, 2.0)];
-        let found = deepest_point(&square).expect("a square has an inside");
+        let found = deepest_point(&[&square]).expect("a square has an inside");
         assert!(depth(&square, found) >= 1.0 / GOOD_ENOUGH);
     }
 
@@ -126,14 +131,22 @@ mod tests {
             dvec2(0.1, 10.0),
             dvec2(0.0, 10.0),
         ];
-        let found = deepest_point(&u).expect("the U has an inside");
+        let found = deepest_point(&[&u]).expect("the U has an inside");
         assert_eq!(locate(&u, found), Location::Inside);
         assert!(depth(&u, found) >= 0.05 / GOOD_ENOUGH);
     }
 
     #[test]
     fn flat_and_empty_polygons_have_none() {
-        assert_eq!(deepest_point(&[]), None);
-        assert_eq!(deepest_point(&[dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(2.0, 0.0)]), None);
+        assert_eq!(deepest_point(&[&[]]), None);
+        assert_eq!(deepest_point(&[&[dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(2.0, 0.0)]]), None);
+    }
+
+    #[test]
+    fn common_point_of_two_squares() {
+        let square = |x: f64| [(x, 0.0), (x + 2.0, 0.0), (x + 2.0, 2.0), (x, 2.0)].map(DVec2::from);
+        let found = deepest_point(&[&square(0.0), &square(1.0)]).expect("they overlap");
+        assert!(depth(&square(0.0), found).min(depth(&square(1.0), found)) >= 0.5 / GOOD_ENOUGH);
+        assert_eq!(deepest_point(&[&square(0.0), &square(2.5)]), None);
     }
 }

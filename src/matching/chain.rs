@@ -26,9 +26,25 @@ impl Chain {
         above && self.after(i).is_none_or(|(least, _)| lifted <= least)
     }
 
-    /// Adds a line that the chain [admits](Self::admits).
+    /// Least and greatest lifted end that a line at vertex `i` may have; `None` when the chain is empty and all may be.
+    pub(super) fn range(&self, i: usize) -> Option<(i64, i64)> {
+        Some((self.before(i)?.1, self.after(i)?.0))
+    }
+
+    /// Tells whether the line (i, j) keeps the index interval of the paper (Eq. 12): it lies, counted upwards from the end at the last
+    /// vertex before `i` that has a line to that at the first vertex after it, among these; lines at `i` itself are skipped. With all
+    /// ends at one vertex the interval is that vertex alone, and laps are not told apart.
+    pub(super) fn admits_as_printed(&self, i: usize, j: usize) -> bool {
+        let a = self.ends.len();
+        let after = self.first_occupied(i + 1, a).or_else(|| self.first_occupied(0, i));
+        let before = self.last_occupied(0, i).or_else(|| self.last_occupied(i + 1, a));
+        let ends = before.and_then(|k| self.ends[k]).zip(after.and_then(|k| self.ends[k]));
+        let Some(((_, greatest), (least, _))) = ends else { return true };
+        (j as i64 - greatest).rem_euclid(self.period) <= (least - greatest).rem_euclid(self.period)
+    }
+
+    /// Adds a line.
     pub(super) fn insert(&mut self, i: usize, lifted: i64) {
-        debug_assert!(self.admits(i, lifted));
         let (least, greatest) = self.ends[i].unwrap_or((lifted, lifted));
         self.ends[i] = Some((least.min(lifted), greatest.max(lifted)));
         self.occupied[i / 64] |= 1 << (i % 64);
@@ -110,5 +126,22 @@ mod tests {
                 assert_eq!(chain.admits(i, lifted), range.contains(&lifted), "({i}, {lifted})");
             }
         }
+    }
+
+    #[test]
+    fn the_printed_interval_loses_the_lap() {
+        let mut chain = Chain::new(8, 5);
+        assert!(chain.admits_as_printed(0, 3), "without lines everything is valid");
+        assert_eq!(chain.range(0), None);
+        chain.insert(2, 3);
+        assert!(
+            chain.admits_as_printed(0, 3) && !chain.admits_as_printed(0, 4),
+            "one vertex, not the whole cycle"
+        );
+        assert_eq!(chain.range(0), Some((-2, 3)), "repaired, it is the whole cycle");
+        chain.insert(5, 6);
+        // From end 3 at vertex 2 on to end 1 at vertex 5, through the seam.
+        let valid: Vec<usize> = (0..5).filter(|&j| chain.admits_as_printed(3, j)).collect();
+        assert_eq!(valid, [0, 1, 3, 4]);
     }
 }

@@ -1,9 +1,10 @@
 //! Greedy ruling line construction.
 
 use super::chain::Chain;
-use super::row::{Candidate, Wedges, visible_lines};
+use super::lattice::Lattice;
+use super::row::{Candidate, Wedges, ranked_lines};
 use super::visibility::Sight;
-use super::{Bound, Problem, Totals, measure, prune};
+use super::{Bound, Problem, Totals, measure, prune, prune_as_printed};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -76,6 +77,19 @@ pub struct Greedy {
     covered: [Vec<bool>; 2],
     bare: usize,
     growth: Vec<RulingLine>,
+    printed: Printed,
+    lattice: Lattice,
+}
+
+/// Rules of the greedy construction that are taken as the paper prints them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Printed {
+    /// The index interval of Eq. 12, which loses count of the laps: lines may cross.
+    pub order: bool,
+    /// The stop rule of Algorithm II: it finds the best line again and stops, with one line.
+    pub stop: bool,
+    /// The removal loop, which drops the lowest line of all while any is redundant: vertices may lose their last line.
+    pub removal: bool,
 }
 
 /// Candidates taken between two looks at the clock: some ten microseconds.
@@ -85,6 +99,12 @@ impl Greedy {
     /// A job that has not begun.
     #[must_use]
     pub fn new(problem: Problem) -> Self {
+        Self::as_printed(problem, Printed::default())
+    }
+
+    /// A job that takes some rules as printed.
+    #[must_use]
+    pub fn as_printed(problem: Problem, printed: Printed) -> Self {
         let (a, b) = problem.counts();
         Self {
             wedges: Wedges::new(&problem),
@@ -96,6 +116,8 @@ impl Greedy {
             covered: [vec![false; a], vec![false; b]],
             bare: a + b,
             growth: Vec::new(),
+            printed,
+            lattice: Lattice::new(problem.outlines().each_ref().map(|outline| outline.shares.clone())),
             problem,
         }
     }
@@ -128,12 +150,19 @@ impl Greedy {
         &self.problem
     }
 
+    /// Hands over every visible line, once the job is done.
+    pub(super) fn take_lattice(&mut self) -> Lattice {
+        std::mem::take(&mut self.lattice)
+    }
+
     fn look_from(&mut self, from: usize) {
-        let mut row = visible_lines(&self.problem, &self.wedges, &mut self.sight, from);
+        let mut row = ranked_lines(&self.problem, &self.wedges, &mut self.sight, from);
         for Candidate { line, .. } in &row {
             self.best[0][from] = self.best[0][from].max(line.value);
             self.best[1][line.to] = self.best[1][line.to].max(line.value);
         }
+        let cells: Vec<(i64, f64)> = row.iter().map(|c| (c.line.lifted, c.line.value)).collect();
+        self.lattice.push_row(&cells);
         self.heads.extend(row.pop().map(Head));
         self.rows.push(row);
     }
@@ -147,11 +176,19 @@ impl Greedy {
             let Some(Head(candidate)) = self.heads.pop() else { return false };
             let line = candidate.line;
             self.heads.extend(self.rows[line.from].pop().map(Head));
-            if self.chain.admits(line.from, line.lifted) {
+            let is_valid = if self.printed.order {
+                self.chain.admits_as_printed(line.from, line.to)
+            } else {
+                self.chain.admits(line.from, line.lifted)
+            };
+            if is_valid {
                 self.chain.insert(line.from, line.lifted);
                 self.cover(0, line.from);
                 self.cover(1, line.to);
                 self.growth.push(line);
+                if self.printed.stop {
+                    return false;
+                }
             }
         }
         true
@@ -165,6 +202,7 @@ impl Greedy {
 
     fn matching(&mut self) -> Matching {
         let (a, b) = self.problem.counts();
+        let prune = if self.printed.removal { prune_as_printed } else { prune };
         let mut lines = prune(&self.growth, a, b);
         lines.sort_unstable_by_key(|line| (line.from, line.lifted));
         let bound = Bound::new(&self.problem, &self.best);

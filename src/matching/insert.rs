@@ -2,7 +2,7 @@
 
 use super::quadrature::Quadrature;
 use super::value::End;
-use super::{Matching, Outline, Problem, RulingLine, Totals, blocking_edge, measure::cross};
+use super::{Layout, Matching, Outline, Problem, RulingLine, Totals, blocking_edge, measure::cross};
 use crate::curve::{ArcLength, ClosedBSpline, Samples};
 use crate::geom::segment_crossing;
 use glam::DVec2;
@@ -241,6 +241,13 @@ impl Insertion {
                 }
             }
         }
+        // Where the projections cross, a line that meets no edge may still run outside the band between them.
+        let leaves = block.is_none()
+            && self.problem.layout() == Layout::Crossing
+            && !self.problem.is_visible(line.from, line.to);
+        if leaves {
+            faults.push((own(k), (p + q) / 2.0));
+        }
         let mut crossings = 0;
         for (other, later) in self.lines.iter().enumerate().skip(k + 1) {
             if cross(outlines, &line, later) {
@@ -251,7 +258,7 @@ impl Insertion {
             }
         }
         self.crossings += crossings;
-        self.blocked += usize::from(block.is_some());
+        self.blocked += usize::from(block.is_some() || leaves);
         self.verified.push(faults.is_empty());
         for (gap, at) in faults {
             if let Some(gap) = gap.map(|gap| &mut self.gaps[gap]).filter(|gap| gap.failed.is_none()) {

@@ -1,6 +1,6 @@
 //! What a set of lines is worth, and whether it keeps the constraints.
 
-use super::{Outline, Problem, RulingLine, blocking_edge};
+use super::{Outline, Problem, RulingLine};
 use crate::geom::segments_meet;
 
 /// Figures of a set of ruling lines.
@@ -21,7 +21,7 @@ pub struct Totals {
     pub eta: Option<f64>,
     /// Pairs of lines that cross, counted by looking at every pair.
     pub crossings: usize,
-    /// Lines that meet a polygon, counted by looking at every edge.
+    /// Lines that meet a polygon, counted by looking at every edge; where projections cross, also those that leave the band between them.
     pub blocked: usize,
     /// Vertices of each outline without a line.
     pub uncovered: [Vec<usize>; 2],
@@ -66,10 +66,7 @@ pub fn measure(problem: &Problem, lines: &[RulingLine], bound: Bound) -> Totals 
         integral,
         eta: integral.filter(|_| bound.value() > 0.0).map(|integral| integral / bound.value()),
         crossings: crossings(problem, lines),
-        blocked: lines
-            .iter()
-            .filter(|line| blocking_edge(problem.outlines(), line.from, line.to).is_some())
-            .count(),
+        blocked: lines.iter().filter(|line| !problem.is_visible(line.from, line.to)).count(),
         uncovered,
     }
 }

@@ -8,25 +8,55 @@
 //!
 //! [`Insertion`] then gives every line its own ends, by new vertices on the curves, and verifies all lines anew.
 //!
-//! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum.
+//! The greedy set is a heuristic: it is feasible, and near the optimum, but not the optimum. [`Exact`] finds that between the same
+//! samples, and [`Refine`] that of the integral J on the curves themselves; [`even_places`] and [`Placing`] make one-to-one lines of it.
+//! [`OnePerVertex`], [`best_shift`], [`irredundant`] and [`best_mean`] are there for comparison.
 
 mod chain;
+mod details;
+mod even;
+mod exact;
 mod greedy;
 mod insert;
+mod irredundant;
+mod lattice;
+mod mean;
 mod measure;
 mod outline;
+mod path;
+mod pins;
+mod place;
 mod problem;
 mod prune;
 mod quadrature;
+mod refine;
+mod rounds;
 mod row;
+mod shift;
+mod single;
+mod stretch;
+#[cfg(test)]
+mod test_shapes;
+mod trace;
 mod value;
 mod visibility;
 
-pub use greedy::{Greedy, Matching, RulingLine, greedy};
+pub use details::{Details, details, integral_on_curves};
+pub use even::hold_places;
+pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, Policy, exact};
+pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Insertion, OneToOne};
+pub use irredundant::irredundant;
+pub use mean::best_mean;
 pub use measure::{Bound, Totals, measure};
 pub use outline::Outline;
+pub use place::{Placing, places_of, places_of_pairs};
 pub use problem::{Layout, Problem, ProblemError};
-pub use prune::prune;
+pub use prune::{prune, prune_as_printed};
+pub use refine::{Refine, Refined, even_places};
+pub use shift::{best_shift, shifted};
+pub use single::{OnePerVertex, SingleLines, fill_in, one_per_vertex};
+pub use stretch::Stretch;
+pub use trace::{Rejection, Trace, VertexSets, trace, vertex_sets};
 pub use value::{NegativeProducts, Weights, round_to_40_bits};
 pub use visibility::blocking_edge;

@@ -1,7 +1,7 @@
 //! Two outlines made ready for matching.
 
 use super::value::End;
-use super::{Outline, Weights, round_to_40_bits};
+use super::{NegativeProducts, Outline, Weights, blocking_edge, round_to_40_bits};
 use crate::geom::{
     Bounds, Location, ShownPlace, deepest_point, first_contact, first_self_contact, locate, segment_crossing,
     signed_area,
@@ -17,6 +17,8 @@ pub enum Layout {
     FirstInside,
     /// The second curve is the inner one.
     SecondInside,
+    /// The curves lie at different heights and their projections cross.
+    Crossing,
 }
 
 /// Why two outlines cannot be matched at all.
@@ -34,7 +36,7 @@ pub enum ProblemError {
         /// 0 for the first curve, 1 for the second.
         outline: usize,
     },
-    /// The two polygons meet.
+    /// The two polygons meet, at equal heights or without a common inside.
     Meet {
         /// A place where they do.
         at: DVec2,
@@ -62,7 +64,8 @@ impl std::error::Error for ProblemError {}
 
 /// Two outlines, one inside the other, with the weights of their ruling lines.
 ///
-/// Guarantees: both polygons are simple and counter-clockwise, they do not meet, and one lies inside the other.
+/// Guarantees: both polygons are simple and counter-clockwise. They do not meet and one lies inside the other, or, at different
+/// heights, they meet and have a common inside.
 #[derive(Debug, Clone)]
 pub struct Problem {
     outlines: [Outline; 2],
@@ -81,9 +84,27 @@ impl Problem {
     /// Checks two outlines and prepares them; `gap` is the distance between their planes, at least 0.
     ///
     /// # Errors
-    /// When a polygon is not simple or not counter-clockwise, when the two meet, or when neither contains the other. The
-    /// projections of curves at different heights may not cross either.
+    /// When a polygon is not simple or not counter-clockwise, when the two meet although `gap` is 0, or when they have no common
+    /// inside.
     pub fn new(outlines: [Outline; 2], weights: Weights, gap: f64) -> Result<Self, ProblemError> {
+        Self::about(None, outlines, weights, gap)
+    }
+
+    /// The same curves with other samples; lifts about the same centre, so that vertices at the same place keep their laps when
+    /// both outlines start where they did.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(super) fn resampled(&self, outlines: [Outline; 2]) -> Result<Self, ProblemError> {
+        Self::about(Some(self.center), outlines, self.weights, self.gap)
+    }
+
+    fn about(
+        center: Option<DVec2>,
+        outlines: [Outline; 2],
+        weights: Weights,
+        gap: f64,
+    ) -> Result<Self, ProblemError> {
         for (outline, Outline { points, .. }) in outlines.iter().enumerate() {
             if let Some((i, k)) = first_self_contact(points) {
                 return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
@@ -93,19 +114,27 @@ impl Problem {
             }
         }
         let (first, second) = (&outlines[0].points, &outlines[1].points);
-        if let Some((i, k)) = first_contact(first, second) {
-            return Err(ProblemError::Meet { at: meeting_place(first, i, second, k) });
-        }
-        let layout = if locate(second, first[0]) == Location::Inside {
-            Layout::FirstInside
-        } else if locate(first, second[0]) == Location::Inside {
-            Layout::SecondInside
-        } else {
-            return Err(ProblemError::Apart);
+        let contact = first_contact(first, second)
+            .map(|(i, k)| ProblemError::Meet { at: meeting_place(first, i, second, k) });
+        let layout = match contact {
+            Some(meet) if gap == 0.0 => return Err(meet),
+            Some(_) => Layout::Crossing,
+            None if locate(second, first[0]) == Location::Inside => Layout::FirstInside,
+            None if locate(first, second[0]) == Location::Inside => Layout::SecondInside,
+            None => return Err(ProblemError::Apart),
         };
-        let inner = if layout == Layout::FirstInside { 0 } else { 1 };
-        let center = deepest_point(&outlines[inner].points)
-            .ok_or(ProblemError::NotCounterClockwise { outline: inner })?;
+        // A point inside both polygons; where one contains the other, inside the inner one.
+        let both: [&[DVec2]; 2] = [first, second];
+        let polygons: &[&[DVec2]] = match layout {
+            Layout::FirstInside => &both[..1],
+            Layout::SecondInside => &both[1..],
+            Layout::Crossing => &both,
+        };
+        let is_inside = |center: &DVec2| polygons.iter().all(|p| locate(p, *center) == Location::Inside);
+        let center = center
+            .filter(is_inside)
+            .or_else(|| deepest_point(polygons))
+            .ok_or_else(|| contact.unwrap_or(ProblemError::Apart))?;
         let angles = outlines.each_ref().map(|outline| angles_about(center, &outline.points));
         let bounds = Bounds::of(first.iter().chain(second).copied());
         let diagonal = bounds.map_or(0.0, Bounds::diagonal);
@@ -130,6 +159,18 @@ impl Problem {
         (self.outlines[0].len(), self.outlines[1].len())
     }
 
+    /// What the value of a line weighs.
+    #[must_use]
+    pub fn weights(&self) -> Weights {
+        self.weights
+    }
+
+    /// Distance between the planes of the outlines.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
     /// Which outline lies inside the other.
     #[must_use]
     pub fn layout(&self) -> Layout {
@@ -145,6 +186,20 @@ impl Problem {
     /// Value f of the line between any two points of the curves.
     pub(super) fn value_between(&self, p: End, q: End) -> f64 {
         self.weights.value(p, q, self.gap, self.shortest)
+    }
+
+    /// Tells whether a line keeps the constraints, by looking at every edge: it meets no edge but those at its ends, and where
+    /// the projections cross, its middle lies inside exactly one polygon.
+    #[must_use]
+    pub fn is_visible(&self, from: usize, to: usize) -> bool {
+        let [first, second] = self.outlines.each_ref().map(|outline| outline.points.as_slice());
+        let middle = (first[from] + second[to]) / 2.0;
+        blocking_edge(&self.outlines, from, to).is_none()
+            && (self.layout != Layout::Crossing
+                || matches!(
+                    [locate(first, middle), locate(second, middle)],
+                    [Location::Inside, Location::Outside] | [Location::Outside, Location::Inside]
+                ))
     }
 
     /// Product of the outward unit normals at the ends of a line, from -1 to 1.
@@ -163,8 +218,8 @@ impl Problem {
     /// smaller second number, which is the length where negative products are clamped and 0 elsewhere.
     pub(super) fn rank(&self, from: usize, to: usize, value: f64) -> (f64, f64) {
         let tie = match self.weights.negative {
-            super::NegativeProducts::Clamp => round_to_40_bits(self.length(from, to)),
-            super::NegativeProducts::Signed | super::NegativeProducts::Half => 0.0,
+            NegativeProducts::Clamp => round_to_40_bits(self.length(from, to)),
+            NegativeProducts::Signed | NegativeProducts::Half | NegativeProducts::Printed => 0.0,
         };
         (round_to_40_bits(value), tie)
     }

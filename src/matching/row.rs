@@ -38,29 +38,51 @@ impl Wedges {
         )
     }
 
-    /// Tells whether a line leaves one of its ends away from the band: it then meets a polygon farther on.
+    /// Tells whether a line leaves one of its ends away from the band: it then meets a polygon farther on. Where
+    /// the projections cross, a line that meets no edge stays inside exactly one polygon if it starts so at both ends.
     fn leave_band(&self, problem: &Problem, from: usize, to: usize) -> bool {
         let ends = [problem.outlines()[0].points[from], problem.outlines()[1].points[to]];
         let wedges = [&self.0[0][from], &self.0[1][to]];
-        let inner = usize::from(problem.layout() == Layout::SecondInside);
-        wedges[inner].points_inside(ends[1 - inner]) || wedges[1 - inner].points_outside(ends[inner])
+        let leaves = |inner: usize| {
+            wedges[inner].points_inside(ends[1 - inner]) || wedges[1 - inner].points_outside(ends[inner])
+        };
+        let stays = |inner: usize| {
+            wedges[inner].points_outside(ends[1 - inner]) && wedges[1 - inner].points_inside(ends[inner])
+        };
+        match problem.layout() {
+            Layout::FirstInside => leaves(0),
+            Layout::SecondInside => leaves(1),
+            Layout::Crossing => !stays(0) && !stays(1),
+        }
     }
 }
 
-/// Returns every line that vertex `from` of the first outline could have, the best last.
+/// Yields the lines that vertex `from` of the first outline could have to some vertices of the second, in their order; lines
+/// without a value are none.
 pub(super) fn visible_lines(
     problem: &Problem,
     wedges: &Wedges,
     sight: &mut Sight,
     from: usize,
-) -> Vec<Candidate> {
-    let mut candidates: Vec<Candidate> = (0..problem.counts().1)
-        .filter(|&to| !wedges.leave_band(problem, from, to) && sight.is_clear(from, to))
-        .map(|to| {
+    vertices: impl Iterator<Item = usize>,
+) -> impl Iterator<Item = RulingLine> {
+    vertices.filter(move |&to| !wedges.leave_band(problem, from, to) && sight.is_clear(from, to)).map(
+        move |to| {
             let value = problem.value(from, to);
-            let line = RulingLine { from, to, lifted: problem.lift(from, to), value };
-            Candidate { rank: problem.rank(from, to, value), line }
-        })
+            RulingLine { from, to, lifted: problem.lift(from, to), value }
+        },
+    )
+}
+
+/// Returns every line that a vertex of the first outline could have in greedy order, the best last.
+pub(super) fn ranked_lines(
+    problem: &Problem,
+    wedges: &Wedges,
+    sight: &mut Sight,
+    from: usize,
+) -> Vec<Candidate> {
+    let mut candidates: Vec<Candidate> = visible_lines(problem, wedges, sight, from, 0..problem.counts().1)
+        .map(|line| Candidate { rank: problem.rank(line.from, line.to, line.value), line })
         .collect();
     candidates.sort_unstable_by(Candidate::compare);
     candidates

@@ -12,6 +12,9 @@ pub enum NegativeProducts {
     Clamp,
     /// ((1 + c) / 2)^w: never negative.
     Half,
+    /// c^w as printed: an even w rewards opposed normals, and for a fractional w a line with c < 0 has no value, minus infinity here; it is
+    /// never taken.
+    Printed,
 }
 
 /// What the value of a line weighs, each weight at least 0.
@@ -25,12 +28,20 @@ pub struct Weights {
     pub alignment: f64,
     /// How negative products of normals count.
     pub negative: NegativeProducts,
+    /// Whether the gap between the planes counts in the length.
+    pub heights: bool,
 }
 
 impl Default for Weights {
-    /// Normal 1 and distance 2, the weights of the precursor's Eq. 4; no alignment; signed.
+    /// Normal 1 and distance 2, the weights of the precursor's Eq. 4; no alignment; signed; heights count.
     fn default() -> Self {
-        Self { normal: 1.0, distance: 2.0, alignment: 0.0, negative: NegativeProducts::default() }
+        Self {
+            normal: 1.0,
+            distance: 2.0,
+            alignment: 0.0,
+            negative: NegativeProducts::default(),
+            heights: true,
+        }
     }
 }
 
@@ -50,6 +61,7 @@ impl Weights {
     pub(super) fn value(&self, p: End, q: End, gap: f64, shortest: f64) -> f64 {
         let cosine = p.normal.dot(q.normal);
         let along = q.point - p.point;
+        let gap = if self.heights { gap } else { 0.0 };
         let squared = (along.length_squared() + gap * gap).max(shortest * shortest);
         let mut value = self.numerator(cosine);
         if self.distance == 2.0 {
@@ -73,6 +85,10 @@ impl Weights {
             NegativeProducts::Signed => power(cosine.abs()).copysign(cosine),
             NegativeProducts::Clamp => power(cosine.max(0.0)),
             NegativeProducts::Half => power((1.0 + cosine.clamp(-1.0, 1.0)) / 2.0),
+            NegativeProducts::Printed => {
+                let value = power(cosine);
+                if value.is_nan() { f64::NEG_INFINITY } else { value }
+            }
         }
     }
 }
@@ -124,11 +140,26 @@ mod tests {
     }
 
     #[test]
+    fn printed_products_reward_opposed_normals_or_have_no_value() {
+        let printed = |normal| Weights { normal, negative: NegativeProducts::Printed, ..Weights::default() };
+        assert!((value(printed(2.0), 120.0, 0.0) - 0.25 / 4.0).abs() < 1e-15);
+        assert!((value(printed(1.0), 120.0, 0.0) + 0.5 / 4.0).abs() < 1e-15);
+        assert_eq!(value(printed(0.5), 120.0, 0.0), f64::NEG_INFINITY);
+        assert!((value(printed(0.5), 60.0, 0.0) - 0.5_f64.sqrt() / 4.0).abs() < 1e-15);
+    }
+
+    #[test]
     fn alignment_prefers_lines_along_the_normals() {
         let weights = Weights { alignment: 1.0, ..Weights::default() };
         assert!((value(weights, 0.0, 0.0) - 0.25).abs() < 1e-15, "a perfect line loses nothing");
         let sideways = weights.value(end(0.0, 0.0, 90.0), end(2.0, 0.0, 90.0), 0.0, 1e-9);
         assert!((sideways - 0.125).abs() < 1e-15, "a line along the curves loses half");
+    }
+
+    #[test]
+    fn heights_may_be_left_out() {
+        let weights = Weights { heights: false, ..Weights::default() };
+        assert_eq!(value(weights, 60.0, 1.0), value(weights, 60.0, 0.0));
     }
 
     #[test]

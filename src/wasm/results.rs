@@ -1,7 +1,7 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
-use crate::document::{Diagnostic, DocumentError, IsoOptions, Outcome, Solution};
-use crate::matching::{Matching, OneToOne, Problem, RulingLine, Totals};
+use crate::document::{Diagnostic, DocumentError, GapKind, IsoOptions, Outcome, Solution};
+use crate::matching::{Details, Matching, OneToOne, Problem, RulingLine, Totals};
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
 use glam::DVec2;
@@ -18,6 +18,9 @@ pub(super) struct MatchResult {
     pairs: Vec<PairResult>,
     reparameterisation: Vec<[f64; 2]>,
     totals: TotalsResult,
+    gap: Option<f64>,
+    #[serde(rename = "gapKind")]
+    gap_kind: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -60,12 +63,17 @@ struct GrowthTotals {
 }
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct LineTotals {
     count: usize,
     sum: f64,
     mean: Option<f64>,
     integral: Option<f64>,
+    bound: Option<f64>,
     eta: Option<f64>,
+    spread_sum: Option<f64>,
+    least_cosine: Option<f64>,
+    longest: Option<f64>,
     crossings: usize,
     blocked: usize,
     uncovered: [Vec<usize>; 2],
@@ -81,6 +89,8 @@ struct DiagnosticResult {
     vertices: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     lines: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pins: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     parameter: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -134,9 +144,13 @@ impl MatchResult {
         let matched = match &solution.outcome {
             Outcome::Refused(error) => return Err(error.clone()),
             Outcome::Unmatched => None,
-            Outcome::Matched { problem, matching, pairs, .. } => Some((problem, matching, pairs.as_deref())),
+            Outcome::Matched { problem, matching, pairs, gap, details, .. } => {
+                Some((problem, matching, pairs.as_deref(), (gap, details)))
+            }
         };
-        let pairs = matched.and_then(|(_, _, pairs)| pairs);
+        let pairs = matched.and_then(|(_, _, pairs, _)| pairs);
+        let gap = matched.and_then(|(.., (gap, _))| gap.as_ref());
+        let details = matched.map_or([None, None], |(.., (_, details))| *details);
         let model = &solution.model;
         Ok(Self {
             ok: solution.is_complete(),
@@ -151,23 +165,27 @@ impl MatchResult {
                     normals: arrays(&samples.normals),
                 })
                 .collect(),
-            lines: matched.map_or_else(Vec::new, |(problem, matching, _)| lines(problem, matching)),
+            lines: matched.map_or_else(Vec::new, |(problem, matching, ..)| lines(problem, matching)),
             pairs: pairs.map_or_else(Vec::new, pair_results),
             reparameterisation: solution
                 .band()
                 .map_or_else(Vec::new, |band| band.lines().map(|ruling| [ruling.u, ruling.v]).collect()),
             totals: TotalsResult {
-                growth: matched.map(|(_, matching, _)| growth_totals(matching)),
-                lines: matched.map(|(_, matching, _)| line_totals(&matching.totals)),
-                pairs: pairs.map(|pairs| line_totals(&pairs.totals)),
+                growth: matched.and_then(|(_, matching, ..)| growth_totals(matching)),
+                lines: matched.map(|(_, matching, ..)| line_totals(&matching.totals, details[0])),
+                pairs: pairs.map(|pairs| line_totals(&pairs.totals, details[1])),
             },
+            gap: gap.map(|gap| gap.value),
+            gap_kind: gap.map(|gap| match gap.kind {
+                GapKind::Refined => "refined",
+                GapKind::Lattice => "lattice",
+            }),
         })
     }
 }
 
 fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
-    let visible =
-        |line: &RulingLine| crate::matching::blocking_edge(problem.outlines(), line.from, line.to).is_none();
+    let visible = |line: &RulingLine| problem.is_visible(line.from, line.to);
     matching
         .lines
         .iter()
@@ -175,9 +193,10 @@ fn lines(problem: &Problem, matching: &Matching) -> Vec<LineResult> {
         .collect()
 }
 
-fn growth_totals(matching: &Matching) -> GrowthTotals {
+fn growth_totals(matching: &Matching) -> Option<GrowthTotals> {
     let growth = &matching.growth;
-    GrowthTotals { count: growth.len(), sum: growth.iter().map(|line| line.value).sum() }
+    let sum = growth.iter().map(|line| line.value).sum();
+    (!growth.is_empty()).then_some(GrowthTotals { count: growth.len(), sum })
 }
 
 fn pair_results(pairs: &OneToOne) -> Vec<PairResult> {
@@ -196,13 +215,17 @@ fn pair_results(pairs: &OneToOne) -> Vec<PairResult> {
     (0..pairs.lines.len()).map(pair).collect()
 }
 
-fn line_totals(totals: &Totals) -> LineTotals {
+fn line_totals(totals: &Totals, details: Option<Details>) -> LineTotals {
     LineTotals {
         count: totals.count,
         sum: totals.sum,
         mean: totals.mean,
         integral: totals.integral,
+        bound: totals.eta.zip(totals.integral).map(|(eta, integral)| integral / eta),
         eta: totals.eta,
+        spread_sum: details.map(|details| details.spread_sum),
+        least_cosine: details.map(|details| details.least_cosine),
+        longest: details.map(|details| details.longest),
         crossings: totals.crossings,
         blocked: totals.blocked,
         uncovered: totals.uncovered.clone(),
@@ -217,6 +240,7 @@ impl From<&Diagnostic> for DiagnosticResult {
             curve: None,
             vertices: None,
             lines: None,
+            pins: None,
             parameter: None,
             turn: None,
             at: None,
@@ -228,12 +252,17 @@ impl From<&Diagnostic> for DiagnosticResult {
                 result.turn = Some(*turn);
                 result.at = Some(at.to_array());
             }
-            Diagnostic::OpposedNormals { lines } => result.lines = Some(lines.clone()),
-            Diagnostic::Orphan { curve, vertices } | Diagnostic::Stuck { curve, vertices } => {
+            Diagnostic::OpposedNormals { lines }
+            | Diagnostic::Occluded { lines }
+            | Diagnostic::Unverified { lines } => result.lines = Some(lines.clone()),
+            Diagnostic::Pins { pins, .. } => result.pins = Some(pins.clone()),
+            Diagnostic::Orphan { curve, vertices }
+            | Diagnostic::Stuck { curve, vertices }
+            | Diagnostic::Jammed { curve, vertices } => {
                 result.curve = Some(*curve);
                 result.vertices = Some(vertices.clone());
             }
-            Diagnostic::Incomplete { .. } | Diagnostic::Disjoint => {}
+            Diagnostic::Incomplete { .. } | Diagnostic::Disjoint | Diagnostic::Solvable => {}
             Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
             Diagnostic::UnverifiedGap { lines, at } => {
                 result.lines = Some(lines.clone());

@@ -47,6 +47,32 @@ test("match gives samples, lines in cyclic order and totals that certify them", 
   assert.ok(ascending(0) && ascending(1));
 });
 
+test("exact gives the optimum in any number of lines, keeps pins, and every method carries its figures", () => {
+  const matched = (/** @type {object} */ matching) => dx.match({ ...amoeba, matching });
+  const exact = matched({ method: "exact", oneToOne: true, lines: 50 });
+  assert.equal(exact.ok, true);
+  assert.equal(exact.pairs.length, 50);
+  assert.equal(exact.gapKind, "refined");
+  assert.ok(exact.gap !== null && exact.gap < 1e-4);
+  assert.equal(exact.totals.growth, null);
+  for (const method of ["greedy", "one-per-vertex", "shift", "parameter"]) {
+    const { totals } = matched({ method, oneToOne: true });
+    assert.ok(totals.pairs && totals.lines, method);
+    const { integral, bound, eta, spreadSum, leastCosine, longest } = totals.pairs;
+    assert.ok(integral && bound && eta && Math.abs(integral / bound - eta) < 1e-12, method);
+    assert.ok(spreadSum && leastCosine !== null && leastCosine <= 1 && longest && longest > 0, method);
+    const best = exact.totals.pairs?.integral;
+    const isSound = totals.pairs.crossings + totals.pairs.blocked === 0;
+    assert.ok(!isSound || (best && integral <= best * 1.005), `${method}: ${integral} above ${best}`);
+  }
+  const pin = { u: exact.pairs[7].u, v: exact.pairs[8].v };
+  const pinned = matched({ method: "exact", oneToOne: true, pins: [pin] });
+  assert.ok(pinned.pairs.some(({ u, v }) => Math.abs(u - pin.u) < 1e-9 && Math.abs(v - pin.v) < 1e-9));
+  const { ok, diagnostics } = matched({ method: "exact", pins: [{ u: 0.1, v: 0.2 }, { u: 0.2, v: 0.1 }] });
+  assert.equal(ok, false);
+  assert.ok(diagnostics.some(({ code, pins }) => code === "pins" && pins && pins.length > 0));
+});
+
 test("one-to-one pairs ascend, are verified, and carry the band", () => {
   const document = { ...amoeba, matching: { ...amoeba.matching, oneToOne: true } };
   const match = dx.match(document);
@@ -185,7 +211,8 @@ test("errors carry code, path and place", () => {
   for (const [edit, code, path] of /** @type {[(d: any) => void, string, string][]} */ ([
     [(d) => (d.directrix = 2), "version", "directrix"],
     [(d) => (d.kind = "part"), "not-yet", "kind"],
-    [(d) => (d.matching.method = "exact"), "not-yet", "matching.method"],
+    [(d) => (d.matching.method = "best"), "range", "matching.method"],
+    [(d) => (d.matching.pins = [{ u: 0.1, v: 0.1 }]), "range", "matching.pins"],
     [(d) => (d.matching.colour = 1), "unknown-field", "matching.colour"],
     [(d) => delete d.curves, "missing", "curves"],
     [(d) => (d.curves[0].points = d.curves[0].points.slice(0, 2)), "points", "curves[0].points"],
