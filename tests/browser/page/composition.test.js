@@ -200,7 +200,9 @@ test("bars, fields and triangle change the mix and never leave the simplex", asy
   });
   await page.keyboard.press("ArrowUp");
   await sumsToOne();
-  assert.match((await pad.getAttribute("aria-valuetext")) ?? "", /^Polymer \d+.%, Ceramic \d+.%, Titanium 1.%$/);
+  await eventually(async () => {
+    assert.match((await pad.getAttribute("aria-valuetext")) ?? "", /^Polymer \d+.%, Ceramic \d+.%, Titanium 1.%$/);
+  });
   await eventually(async () => {
     await page.keyboard.press("Control+z");
     assert.deepEqual(await mix(), [0, 1, 0]);

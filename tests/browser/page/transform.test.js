@@ -47,7 +47,7 @@ test("a side handle scales along one axis about the other side; Alt about the ce
   assert.ok(Math.abs(after.low - before.low) < 1e-9 && Math.abs(after.high - before.high) < 1e-9);
   await eventually(async () => assert.match(await spoken(page), /Scaled to/));
   await page.keyboard.press("Control+z");
-  assert.ok(await page.locator("[data-action=undo]").isDisabled());
+  await eventually(async () => assert.ok(await page.locator("[data-action=undo]").isDisabled()));
 
   await page.keyboard.down("Alt");
   await page.mouse.move(x, y);
