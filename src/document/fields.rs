@@ -248,9 +248,7 @@ fn printed(list: &Node<'_>) -> Read<Vec<PrintedRule>> {
             None => return Err(item.not_yet("in-between curves as printed")),
         }
     }
-    rules.sort_unstable();
-    rules.dedup();
-    Ok(rules)
+    Ok(PrintedRule::ALL.into_iter().filter(|rule| rules.contains(rule)).collect())
 }
 
 fn blend(node: &Node<'_>) -> Read<Blend> {

@@ -1,7 +1,7 @@
 //! The exact optimum over all matchings of two outlines.
 
 use super::lattice::{ABSENT, Lattice, Survey};
-use super::path::{Path, PathFinder, Rule};
+use super::path::{Path, PathFinder, Rule, lines_of};
 use super::pins::pinned_paths;
 use super::rounds::Rounds;
 use super::stretch::shortest_stretch;
@@ -246,15 +246,8 @@ impl Exact {
 impl Search {
     fn optimum(&self, problem: &Problem, rule: Rule, paths: &[Path]) -> Optimum {
         let visible = self.visible.as_ref().unwrap_or(&self.lattice);
-        let mut lines: Vec<RulingLine> = paths
-            .iter()
-            .flat_map(Path::cells)
-            .map(|(row, column)| {
-                let line = self.lattice.line(row, column);
-                RulingLine { value: problem.value(line.from, line.to), ..line }
-            })
-            .collect();
-        lines.sort_unstable_by_key(|line| (line.from, line.lifted));
+        let mut lines = lines_of(&self.lattice, paths.iter().flat_map(Path::cells));
+        lines.iter_mut().for_each(|line| line.value = problem.value(line.from, line.to));
         let is_occluded = |line: &RulingLine| visible.row(line.from).at(line.lifted) == ABSENT;
         let occluded: Vec<usize> = (0..lines.len()).filter(|&k| is_occluded(&lines[k])).collect();
         let value = if occluded.is_empty() {

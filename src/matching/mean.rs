@@ -1,7 +1,7 @@
 //! The best mean over all matchings.
 
 use super::lattice::Survey;
-use super::path::{Path, PathFinder};
+use super::path::{Path, PathFinder, lines_of};
 use super::rounds::Rounds;
 use super::{Objective, Problem, RulingLine};
 
@@ -21,9 +21,7 @@ pub fn best_mean(problem: &Problem) -> Option<(Vec<RulingLine>, f64)> {
         let objective = best.as_ref().map_or(Objective::Sum, |(_, mean)| Objective::SumLessPrice(*mean));
         let mut rounds = Rounds::new(lattice, objective.rule());
         while rounds.advance(lattice, &mut finder) {}
-        let cells = rounds.best().into_iter().flat_map(Path::cells);
-        let mut lines: Vec<RulingLine> = cells.map(|(row, column)| lattice.line(row, column)).collect();
-        lines.sort_unstable_by_key(|line| (line.from, line.lifted));
+        let lines = lines_of(lattice, rounds.best().into_iter().flat_map(Path::cells));
         let mean = lines.iter().map(|line| line.value).sum::<f64>() / lines.len() as f64;
         // The mean rises with every round but the last, over finitely many sets of lines.
         match &best {

@@ -1,5 +1,6 @@
 //! The best monotone path through the lattice.
 
+use super::RulingLine;
 use super::lattice::{ABSENT, Lattice};
 use std::rc::Rc;
 
@@ -45,6 +46,19 @@ impl Path {
         let pairs = self.columns.windows(2).enumerate();
         pairs.filter(|(_, w)| w[0].1 != w[1].0).map(|(k, w)| (self.row + k, w[0].1))
     }
+}
+
+/// Lines of cells in cyclic order, from the first vertex of the first outline on: what lies a lap on comes first, a lap back.
+///
+/// `cells` ascend weakly and span one lap of rows at most.
+pub(super) fn lines_of(lattice: &Lattice, cells: impl Iterator<Item = (usize, i64)>) -> Vec<RulingLine> {
+    let (mut lines, mut later) = (Vec::new(), Vec::new());
+    for (row, column) in cells {
+        let list = if row < lattice.counts().0 { &mut later } else { &mut lines };
+        list.push(lattice.line(row, column));
+    }
+    lines.append(&mut later);
+    lines
 }
 
 /// Paths that a path must stay between, weakly; both have its rows.

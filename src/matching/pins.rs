@@ -25,9 +25,9 @@ pub(super) fn pinned_paths(
         if lattice.row(from).at(column) == ABSENT {
             return Err(Obstacle::PinBlocked { pin });
         }
-        cells.push((from, column, pin));
+        let cell = (from, column, pin);
+        cells.insert(cells.partition_point(|other| *other < cell), cell);
     }
-    cells.sort_unstable();
     let &(from, column, pin) = cells.first().ok_or(Obstacle::NoSuchVertex { pin: 0 })?;
     cells.push((from + a, column + b as i64, pin));
     let between = |w: &[(usize, i64, usize)]| [w[0].2, w[1].2];

@@ -178,9 +178,17 @@ fn with_ends(
     shares: &[f64],
 ) -> (Outline, Vec<usize>) {
     let old = shares_of(outline).into_iter().enumerate().map(|(vertex, share)| (share, vertex, None));
-    let new = shares.iter().enumerate().map(|(k, &share)| (share, usize::MAX, Some(k)));
-    let mut all: Vec<(f64, usize, Option<usize>)> = old.chain(new).collect();
-    all.sort_by(|p, q| p.0.total_cmp(&q.0));
+    // In ascending order from the seam on.
+    let seam = (1..shares.len()).find(|&k| shares[k] < shares[k - 1]).unwrap_or(0);
+    let mut new = (seam..shares.len()).chain(0..seam).map(|k| (shares[k], usize::MAX, Some(k))).peekable();
+    let mut all: Vec<(f64, usize, Option<usize>)> = Vec::with_capacity(outline.len() + shares.len());
+    for vertex in old {
+        while let Some(end) = new.next_if(|end| end.0 < vertex.0) {
+            all.push(end);
+        }
+        all.push(vertex);
+    }
+    all.extend(new);
     let mut numbers = vec![0; shares.len()];
     let (mut points, mut normals, mut places) = (Vec::new(), Vec::new(), Vec::<f64>::new());
     let mut last_is_old = false;

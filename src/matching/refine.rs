@@ -3,10 +3,10 @@
 use super::even::spread_evenly;
 use super::exact::Objective;
 use super::lattice::Survey;
-use super::path::{Path, PathFinder};
+use super::path::{Path, PathFinder, lines_of};
 use super::place::end_at;
 use super::rounds::Rounds;
-use super::{Outline, Problem, Weights};
+use super::{Outline, Problem, RulingLine, Weights};
 use crate::curve::{ClosedBSpline, Scheme, sample};
 
 /// Samples of each curve at the first level: fine enough that the best path runs where the optimum on the curves does.
@@ -134,12 +134,9 @@ impl Refine {
         let before = self.last.as_ref().map(|last| last.1.integral);
         let change = before.map(|before| ((integral - before) / integral).abs());
         let count = level.problem.counts().0;
-        let share = |k: f64| k / count as f64;
-        // From the start of the first curve on, by translating what lies a lap on.
-        let mut cells: Vec<(usize, i64)> =
-            path.cells().map(|(row, column)| (row % count, column - (row / count * count) as i64)).collect();
-        cells.sort_unstable();
-        let places = cells.iter().map(|&(row, column)| [share(row as f64), share(column as f64)]).collect();
+        let lines = lines_of(level.survey.lattice(), path.cells());
+        let place = |line: &RulingLine| [line.from as f64, line.lifted as f64].map(|k| k / count as f64);
+        let places = lines.iter().map(place).collect();
         let has_ended = change.is_some_and(|change| change < SMALL_CHANGE);
         self.last = Some((path, Refined { integral, change, count, places, problem: level.problem }));
         has_ended

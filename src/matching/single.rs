@@ -1,7 +1,7 @@
 //! The best matching of at most one line a vertex.
 
 use super::lattice::Survey;
-use super::path::{PathFinder, Rule};
+use super::path::{PathFinder, Rule, lines_of};
 use super::place::shares_of;
 use super::rounds::Rounds;
 use super::{Problem, RulingLine};
@@ -76,9 +76,7 @@ impl OnePerVertex {
             }
         }
         let path = rounds.best()?;
-        let mut lines: Vec<RulingLine> =
-            path.diagonals().map(|(row, column)| lattice.line(row, column)).collect();
-        lines.sort_unstable_by_key(|line| (line.from, line.lifted));
+        let lines = lines_of(lattice, path.diagonals());
         Some(SingleLines { lines, best: lattice.best() })
     }
 }
@@ -105,9 +103,14 @@ pub fn fill_in(problem: &Problem, lines: &[RulingLine]) -> Vec<[f64; 2]> {
         let (width, height) = (share(&first, ends.1) - x, share(&second, lifted.1) - y);
         let on_first = (ends.0..ends.1).map(|i| (share(&first, i) - x) / width);
         let on_second = (lifted.0..lifted.1).map(|j| (share(&second, j) - y) / height);
-        let mut between: Vec<f64> = on_first.chain(on_second).collect();
-        between.sort_by(f64::total_cmp);
-        between.dedup_by(|later, earlier| *later - *earlier < SAME_PROPORTION);
+        let mut between: Vec<f64> = on_first.collect();
+        for t in on_second {
+            let at = between.partition_point(|other| *other < t);
+            let beside = [at.checked_sub(1), Some(at)].into_iter().flatten().filter_map(|k| between.get(k));
+            if beside.into_iter().all(|other| (t - other).abs() >= SAME_PROPORTION) {
+                between.insert(at, t);
+            }
+        }
         places.push([x, y]);
         places.extend(between.iter().map(|t| [x + t * width, y + t * height]));
     }
