@@ -48,7 +48,7 @@ pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Insertion, OneToOne};
 pub use irredundant::irredundant;
 pub use mean::best_mean;
-pub use measure::{Bound, Totals, measure};
+pub use measure::{Bound, Totals, broken, measure};
 pub use outline::Outline;
 pub use place::{Placing, places_of, places_of_pairs};
 pub use problem::{Layout, Problem, ProblemError};

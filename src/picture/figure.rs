@@ -172,8 +172,15 @@ impl Drawing<'_> {
                 self.stroke("value", Path::open(segment.clone()), style);
             }
         } else if self.shows(LayerName::RulingLines) {
-            let path = Path { rings: segments.clone(), closed: false };
-            self.stroke("ruling-lines", path, self.inside(self.theme.ruling_line));
+            let broken = self.solution.broken();
+            let (bad, good): (Vec<_>, Vec<_>) =
+                segments.iter().cloned().enumerate().partition(|&(k, _)| broken.get(k) == Some(&true));
+            let path = |lines: Vec<(usize, Vec<DVec2>)>| Path {
+                rings: lines.into_iter().map(|(_, segment)| segment).collect(),
+                closed: false,
+            };
+            self.stroke("ruling-lines", path(good), self.inside(self.theme.ruling_line));
+            self.stroke("broken-lines", path(bad), self.theme.error);
         }
         if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
             self.cased("line", Path::open(segment.clone()), self.theme.probe);
