@@ -379,6 +379,8 @@ export interface Control {
   signal?: AbortSignal;
   /** Called with the share done, 0 to 1, while a document is being solved. */
   onprogress?: (progress: number) => void;
+  /** Called with the milliseconds that the worker spent on solving, and on painting for a picture; next to none for a document that is remembered. */
+  onsolved?: (milliseconds: number) => void;
 }
 
 type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A, control?: Control]) => Promise<R> : never;

@@ -213,7 +213,7 @@ impl Drawing<'_> {
     /// Marks what is wrong: vertices without a line, corners of a crossing, places where curves meet.
     fn witnesses(&mut self) {
         let style = StrokeStyle { dash: None, width_px: 2.0, ..self.theme.error };
-        if let (Outcome::Matched { matching, .. }, true) =
+        if let (Outcome::Matched { matching, is_complete: false, .. }, true) =
             (&self.solution.outcome, self.shows(LayerName::Unconnected))
         {
             let bare = self.solution.model.samples().iter().zip(&matching.totals.uncovered);

@@ -36,7 +36,10 @@
  * @property {number} [minCount]
  *
  * @typedef {object} Matching
- * @property {"greedy"} method
+ * @property {"exact" | "greedy" | "one-per-vertex" | "shift" | "parameter"} method
+ * @property {"integral" | "sum" | "sum-less-price"} [objective] of the exact method
+ * @property {number | "best"} [shift]
+ * @property {{u: number, v: number}[]} [pins]
  * @property {number} normalWeight
  * @property {number} distanceWeight
  * @property {number} alignmentWeight

@@ -27,6 +27,11 @@ import { words } from "./words.js";
 /** @type {readonly Mode[]} */
 const MODES = [
   { name: "figure", text: words.figure },
+  {
+    name: "compare",
+    text: words.compare,
+    load: async () => (await import("../compare/compare.js")).createCompare,
+  },
 ];
 
 /** @param {App} app */
