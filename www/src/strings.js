@@ -568,8 +568,8 @@ export const strings = {
   },
 
   import: {
-    heading: (/** @type {string} */ file) => `Import ${file}`,
-    pasted: "the clipboard",
+    heading: (/** @type {string} */ file) => `Import: ${file}`,
+    pasted: "Pasted shapes",
     shapes: "Shapes",
     skipped: (/** @type {number} */ count) => `${count} skipped`,
     tolerance: "Tolerance",
