@@ -200,6 +200,8 @@ export interface MatchOptions {
 export interface Rival {
   from: Point;
   to: Point;
+  /** Index of the sample at its other end; where there are pairs, of the pair that ends there. */
+  other: number;
   /** f */
   value: number;
   /** It is a ruling line too; it meets a curve; it crosses the ruling line `line`; or nothing forbids it, but the whole is worth more without it. */
@@ -207,7 +209,7 @@ export interface Rival {
   line: number | null;
 }
 
-/** Where a ruling line stands among all lines at one of its ends. */
+/** Where a ruling line stands among the lines from one of its ends: to all samples, or to the ends of all pairs where there are pairs. */
 export interface Standing {
   /** Rank by value among those that meet no curve, from 1; null when the line itself meets one. */
   rank: number | null;

@@ -39,14 +39,19 @@ pub struct Standing {
     pub rivals: Vec<Rival>,
 }
 
-/// Compares line number `line` with the other lines of its vertices: at its end on the first outline, and at that on the second. At most
-/// `most` rivals are given at each.
+/// Compares line number `line` with other lines of its vertices: those from its end on the first outline to the vertices `others[1]` of the
+/// second, and those from `others[0]` to its end there. At most `most` rivals are given at each end.
 ///
-/// Returns `None` when there is no such line. Takes O(a + b) questions of visibility.
+/// Returns `None` when there is no such line.
 #[must_use]
-pub fn standings(problem: &Problem, lines: &[RulingLine], line: usize, most: usize) -> Option<[Standing; 2]> {
+pub fn standings(
+    problem: &Problem,
+    lines: &[RulingLine],
+    line: usize,
+    others: [&[usize]; 2],
+    most: usize,
+) -> Option<[Standing; 2]> {
     let this = *lines.get(line)?;
-    let (a, b) = problem.counts();
     let wedges = Wedges::new(problem);
     let mut sight = Sight::new(problem.outlines());
     let mut is_visible =
@@ -73,14 +78,14 @@ pub fn standings(problem: &Problem, lines: &[RulingLine], line: usize, most: usi
             rivals: rivals
                 .map(|&(other, is_visible)| Rival {
                     line: other,
-                    fate: fate(&other, is_visible, lines, line, (a, b)),
+                    fate: fate(&other, is_visible, lines, line, problem.counts()),
                 })
                 .collect(),
         }
     };
     Some([
-        standing((0..b).map(|to| (this.from, to)).collect()),
-        standing((0..a).map(|from| (from, this.to)).collect()),
+        standing(others[1].iter().map(|&to| (this.from, to)).collect()),
+        standing(others[0].iter().map(|&from| (from, this.to)).collect()),
     ])
 }
 
@@ -137,8 +142,10 @@ mod tests {
             let [first, second] = problem.outlines();
             let (a, b) = problem.counts();
             let ends = |line: &RulingLine| (first.points[line.from], second.points[line.to]);
+            let all: [Vec<usize>; 2] = [(0..a).collect(), (0..b).collect()];
             for k in 0..lines.len() {
-                let standings = standings(&problem, &lines, k, usize::MAX).expect("a line");
+                let standings = standings(&problem, &lines, k, all.each_ref().map(Vec::as_slice), usize::MAX)
+                    .expect("a line");
                 for (end, standing) in standings.iter().enumerate() {
                     let all = if end == 0 { b } else { a };
                     assert_eq!(standing.rivals.len() + 1, all, "every other vertex");
@@ -200,8 +207,10 @@ mod tests {
     #[test]
     fn no_more_rivals_than_asked_for_and_none_of_a_line_that_is_not_there() {
         let (problem, lines) = matched(1).remove(0);
-        let [at_first, at_second] = standings(&problem, &lines, 0, 3).expect("a line");
-        assert_eq!((at_first.rivals.len(), at_second.rivals.len()), (3, 3));
-        assert_eq!(standings(&problem, &lines, lines.len(), 3), None);
+        let ask = |line| standings(&problem, &lines, line, [&[0, 1, 2], &[0, 1, 2, 3, 4, 5]], 3);
+        let [at_first, at_second] = ask(0).expect("a line");
+        assert_eq!(at_first.rivals.len(), 3);
+        assert!(at_second.rivals.len() <= 3 && at_second.visible <= 3);
+        assert_eq!(ask(lines.len()), None);
     }
 }

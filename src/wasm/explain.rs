@@ -2,8 +2,8 @@
 
 use super::engine::Engine;
 use super::results::to_value;
-use crate::document::Solution;
-use crate::matching::{Fate, RulingLine, standings};
+use crate::document::{Outcome, Solution};
+use crate::matching::{Fate, Rival, RulingLine, standings};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -35,6 +35,8 @@ struct EndResult {
 struct RivalResult {
     from: [f64; 2],
     to: [f64; 2],
+    /// Index of the sample at the other end, or of the pair that ends there.
+    other: usize,
     value: f64,
     fate: &'static str,
     line: Option<usize>,
@@ -54,21 +56,35 @@ fn explain(solution: &Solution, line: usize) -> Option<ExplainResult> {
     let RulingLine { from, to, value, .. } = *lines.get(line)?;
     let [first, second] = problem.outlines();
     let places = |line: &RulingLine| (first.points[line.from].to_array(), second.points[line.to].to_array());
-    let ends = standings(problem, lines, line, RIVALS)?.into_iter().map(|standing| EndResult {
+    // Lines with ends of their own are compared with those to the ends of the others: their outlines have more vertices than anyone asked for.
+    let is_one_to_one = matches!(solution.outcome, Outcome::Matched { pairs: Some(_), .. });
+    let (a, b) = problem.counts();
+    let others = if is_one_to_one {
+        [lines.iter().map(|line| line.from).collect(), lines.iter().map(|line| line.to).collect()]
+    } else {
+        [(0..a).collect(), (0..b).collect::<Vec<usize>>()]
+    };
+    let name = |end: usize, rival: &RulingLine| {
+        let vertex = [rival.to, rival.from][end];
+        let ends_there = |line: &RulingLine| [line.to, line.from][end] == vertex;
+        if is_one_to_one { lines.iter().position(ends_there).unwrap_or(vertex) } else { vertex }
+    };
+    let standings = standings(problem, lines, line, others.each_ref().map(Vec::as_slice), RIVALS)?;
+    let ends = standings.into_iter().enumerate().map(|(end, standing)| EndResult {
         rank: standing.rank,
         visible: standing.visible,
         rivals: standing
             .rivals
             .iter()
-            .map(|rival| {
-                let (from, to) = places(&rival.line);
-                let (fate, line) = match rival.fate {
+            .map(|Rival { line: rival, fate }| {
+                let (from, to) = places(rival);
+                let (fate, line) = match *fate {
                     Fate::Taken => ("taken", None),
                     Fate::Blocked => ("blocked", None),
                     Fate::Crosses(line) => ("crosses", Some(line)),
                     Fate::Free => ("free", None),
                 };
-                RivalResult { from, to, value: rival.line.value, fate, line }
+                RivalResult { from, to, other: name(end, rival), value: rival.value, fate, line }
             })
             .collect(),
     });
