@@ -69,7 +69,7 @@ async function work() {
 async function solve(dx, { id, name, args }) {
   if (UNSOLVED.has(name)) return { spent: 0 };
   args[0] = toText(args[0]);
-  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : {});
+  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : name === "match" ? args[1] : {});
   let spent = 0;
   const step = () => {
     const start = performance.now();

@@ -730,7 +730,8 @@ fn lines_that_break_a_constraint_are_drawn_apart_and_without_a_blend() {
             assert_eq!(broken, expected, "{id} {method}");
             let has = |name: &str| list.layers.iter().any(|layer| layer.name == name);
             assert!(broken.is_empty() || !has("material"), "{id} {method}");
-            let bare = totals.uncovered.iter().any(|bare| !bare.is_empty());
+            let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("{id} has lines") };
+            let bare = matching.totals.uncovered.iter().any(|bare| !bare.is_empty());
             assert_eq!(has("unconnected"), bare && !solution.is_complete(), "{id} {method}");
         }
     }

@@ -296,9 +296,7 @@ function textsOf(document, method, result, chosen) {
     ? null
     : faults.length === 0
       ? (advice(match) ?? words.noBlend([words.none]))
-      : occluded > 0
-        ? words.withBlend(faults)
-        : words.noBlend(faults);
+      : words.noBlend(faults);
   const { plain, nodes } = wrong === null ? lineOf(document, method, result) : { plain: wrong, nodes: [wrong] };
   const count = shownLines(match).length;
   const spoken = words.spokenPicture([

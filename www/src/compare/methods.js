@@ -30,8 +30,9 @@ export const METHODS = [
  * @returns {CurvesDocument}
  */
 export function withMethod(document, { settings }) {
-  const pins = settings.method === "exact" ? {} : { pins: [] };
-  return { ...document, matching: { ...document.matching, ...settings, ...pins } };
+  const { pins, ...matching } = document.matching;
+  const kept = settings.method === "exact" && pins ? { pins } : {};
+  return { ...document, matching: { ...matching, ...settings, ...kept } };
 }
 
 /**
@@ -45,7 +46,7 @@ export const measured = (document) =>
  * The method of a document, or -1 when it has settings that none of these has.
  * @param {Matching} matching
  */
-export function methodOf({ method, objective, shift }) {
+export function methodOf({ method, objective = "integral", shift = "best" }) {
   return METHODS.findIndex(
     ({ settings }) =>
       settings.method === method &&

@@ -29,7 +29,6 @@ export const words = {
   uncovered: (/** @type {number} */ a, /** @type {number} */ b) => `${a} + ${b} vertices not covered`,
   occluded: (/** @type {number} */ count) => `${plural(count, "line goes", "lines go")} through a curve`,
   noBlend: (/** @type {string[]} */ faults) => `${faults.join(", ")}: no blend drawn`,
-  withBlend: (/** @type {string[]} */ faults) => `${faults.join(", ")}, blended all the same`,
   none: "no lines",
   infeasible: "infeasible",
   current: "chosen in this document",
@@ -59,7 +58,7 @@ export const words = {
     high === 1 ? "ms" : low === high ? `ms, median of ${high}` : `ms, median of ${low} to ${high}`,
   missing: "not defined, because some vertices have no line",
   unranked: "breaks a constraint, so it is not ranked",
-  note: "Quality and integral are taken on the curves, of one-to-one lines along each matching: those of the picture, and for the largest sum the same number spread evenly along it.",
+  note: "Quality and integral are taken on the curves, of one-to-one lines along each matching; the largest sum has them spread evenly.",
 
   methodCount: (/** @type {number} */ count) => ({ number: String(count), text: "methods" }),
   sampling: "sampling",
