@@ -98,7 +98,7 @@ export function createCompare(app, { stage, aside, status }) {
     aside.hidden = !two;
     if (!two) {
       askedFor = null;
-      runner.cancel();
+      runner.close();
       return;
     }
     const size = room();
@@ -228,7 +228,7 @@ export function createCompare(app, { stage, aside, status }) {
     },
     close() {
       observer.disconnect();
-      runner.cancel();
+      runner.close();
     },
   };
 }

@@ -57,8 +57,12 @@ export function createPicture(method) {
 
     /** @param {Result["picture"]} picture */
     paint(picture) {
-      if (picture === drawn || !picture) return;
+      if (picture === drawn) return;
       drawn = picture;
+      if (!picture) {
+        canvas.width = 0;
+        return;
+      }
       canvas.width = picture.width;
       canvas.height = picture.height;
       canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);

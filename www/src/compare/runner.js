@@ -33,7 +33,8 @@ const NO_QUALITY = { eta: null, integral: null, bound: null };
  * @param {App} app
  * @param {object} listeners
  * @param {(results: (Result | null)[]) => void} listeners.changed
- * @param {(error: Problem) => void} listeners.interrupted the person cancelled, or the module stopped
+ * @param {(error: Problem) => void} listeners.interrupted the person cancelled, or the module stopped; what stood for an
+ *   older document is gone then
  */
 export function createRunner(app, { changed, interrupted }) {
   const { kernel } = app;
@@ -60,7 +61,12 @@ export function createRunner(app, { changed, interrupted }) {
       await time(job, signal);
     },
     done() {},
-    failed: (error) => interrupted(problem(error)),
+    failed(error, job) {
+      if (newest !== job) return;
+      results = results.map((result) => (result && hasSameLines(result.document, job.document) ? result : null));
+      changed(results);
+      interrupted(problem(error));
+    },
     slow: (slow) => app.results.set(slow && isSolving ? { slow } : { slow: false, progress: 0 }),
   });
 
@@ -85,9 +91,9 @@ export function createRunner(app, { changed, interrupted }) {
     const times = [];
     try {
       const onsolved = (/** @type {number} */ spent) => times.push(spent);
-      const match = await kernel.match(document, { signal, onprogress, onsolved });
+      const match = await kernel.match(document, {}, { signal, onprogress, onsolved });
       const like = measured(document);
-      const quality = qualityOf(like === document ? match : await kernel.match(like, { signal }));
+      const quality = qualityOf(like === document ? match : await kernel.match(like, {}, { signal }));
       return { match, quality, problem: null, picture: null, times };
     } catch (error) {
       const reason = problem(error);
@@ -108,7 +114,7 @@ export function createRunner(app, { changed, interrupted }) {
         const result = results[i];
         if (newest !== job) return;
         if (!result?.match || result.times.length >= runsFor(Math.min(...result.times))) continue;
-        await kernel.match(text + " ".repeat(turn), {
+        await kernel.match(text + " ".repeat(turn), {}, {
           signal,
           onsolved: (spent) => {
             put(i, { ...result, times: [...result.times, spent] });
@@ -125,7 +131,10 @@ export function createRunner(app, { changed, interrupted }) {
       newest = job;
       lane.push(job);
     },
-    cancel() {
+    /** Gives up for the person, who is told. */
+    cancel: () => lane.cancel(),
+    /** Gives up for good. */
+    close() {
       newest = null;
       lane.cancel();
       app.results.set({ slow: false, progress: 0 });

@@ -53,6 +53,7 @@ export function createModes(app) {
 
   /** @param {Mode} mode */
   async function enter({ name, text, load }) {
+    const held = stage.contains(document.activeElement) || aside.contains(document.activeElement);
     shown = name;
     view?.close();
     view = null;
@@ -62,6 +63,7 @@ export function createModes(app) {
     document.documentElement.dataset.mode = name;
     ui.set({ playing: false, probe: null });
     control.set(name);
+    if (held) /** @type {HTMLElement | null} */ (element.querySelector("input:checked"))?.focus();
     app.say(text);
     if (!load) return;
     find("#status").replaceChildren();
