@@ -3,7 +3,7 @@
  * under way for an older one stops at the next method.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument, Match, PaintOptions, Picture, Problem } from "../types.js"
+ * @import { CurvesDocument, Match, PaintOptions, Picture, Problem, Size } from "../types.js"
  *
  * @typedef {object} Result
  * @property {CurvesDocument} document that was asked for, with its own method
@@ -11,11 +11,13 @@
  * @property {ReturnType<typeof qualityOf>} quality
  * @property {Problem | null} problem why there is no match
  * @property {Picture | null} picture
+ * @property {Size} size of the picture on the screen
  * @property {number[]} times milliseconds that solving took in the worker, once for each run
  *
  * @typedef {object} Job
  * @property {CurvesDocument} document
  * @property {PaintOptions} options
+ * @property {Size} size
  */
 import { problem } from "../painter.js";
 import { Lane } from "../state/lane.js";
@@ -51,9 +53,10 @@ export function createRunner(app, { changed, interrupted }) {
       for (const i of METHODS.keys()) {
         if (newest !== job) return;
         const result = await run(job, i, signal);
-        if (newest !== job) return;
+        if (!newest || !hasSameLines(newest.document, job.document)) return;
         put(i, result);
         changed(results);
+        if (newest !== job) return;
         app.results.set({ progress: (i + 1) / METHODS.length });
       }
       isSolving = false;
@@ -61,9 +64,10 @@ export function createRunner(app, { changed, interrupted }) {
       await time(job, signal);
     },
     done() {},
-    failed(error, job) {
-      if (newest !== job) return;
-      results = results.map((result) => (result && hasSameLines(result.document, job.document) ? result : null));
+    failed(error) {
+      if (!newest) return;
+      const { document } = newest;
+      results = results.map((result) => (result && hasSameLines(result.document, document) ? result : null));
       changed(results);
       interrupted(problem(error));
     },
@@ -71,12 +75,12 @@ export function createRunner(app, { changed, interrupted }) {
   });
 
   /** @param {Job} job @param {number} i @param {AbortSignal} signal @returns {Promise<Result>} */
-  async function run({ document, options }, i, signal) {
+  async function run({ document, options, size }, i, signal) {
     const own = withMethod(document, METHODS[i]);
     const before = results[i];
     const known = before && hasSameLines(before.document, document) ? before : await solved(own, i, signal);
     const picture = await kernel.paint(own, options, { signal });
-    return { ...known, document, picture };
+    return { ...known, document, picture, size };
   }
 
   /** @param {number} i @param {Result} result */
@@ -84,7 +88,7 @@ export function createRunner(app, { changed, interrupted }) {
     results = results.map((each, k) => (k === i ? result : each));
   }
 
-  /** @param {CurvesDocument} document @param {number} i @param {AbortSignal} signal @returns {Promise<Omit<Result, "document">>} */
+  /** @param {CurvesDocument} document @param {number} i @param {AbortSignal} signal @returns {Promise<Pick<Result, "match" | "quality" | "problem" | "times">>} */
   async function solved(document, i, signal) {
     const onprogress = (/** @type {number} */ share) => app.results.set({ progress: (i + share) / METHODS.length });
     /** @type {number[]} */
@@ -94,11 +98,11 @@ export function createRunner(app, { changed, interrupted }) {
       const match = await kernel.match(document, {}, { signal, onprogress, onsolved });
       const like = measured(document);
       const quality = qualityOf(like === document ? match : await kernel.match(like, {}, { signal }));
-      return { match, quality, problem: null, picture: null, times };
+      return { match, quality, problem: null, times };
     } catch (error) {
       const reason = problem(error);
       if (reason.name === "AbortError" || reason.code === "trap") throw error;
-      return { match: null, quality: NO_QUALITY, problem: reason, picture: null, times };
+      return { match: null, quality: NO_QUALITY, problem: reason, times };
     }
   }
 

@@ -52,7 +52,7 @@ export function createModes(app) {
   let view = null;
 
   /** @param {Mode} mode */
-  async function enter({ name, text, load }) {
+  async function enter({ name, load }) {
     const held = stage.contains(document.activeElement) || aside.contains(document.activeElement);
     shown = name;
     view?.close();
@@ -64,7 +64,6 @@ export function createModes(app) {
     ui.set({ playing: false, probe: null });
     control.set(name);
     if (held) /** @type {HTMLElement | null} */ (element.querySelector("input:checked"))?.focus();
-    app.say(text);
     if (!load) return;
     find("#status").replaceChildren();
     try {
