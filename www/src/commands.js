@@ -5,7 +5,7 @@
  * @import { App } from "./state/app.js"
  * @import { Item } from "./frame/menu.js"
  *
- * @typedef {"document" | "view" | "draw" | "select" | "points" | "frame" | "reading" | "fields"} Topic
+ * @typedef {"document" | "mode" | "view" | "draw" | "select" | "points" | "frame" | "reading" | "fields"} Topic
  *
  * @typedef {object} Command
  * @property {string} name
@@ -86,6 +86,9 @@ export const COMMANDS = [
     run: async () => (await import("./frame/shortcut-sheet.js")).openShortcuts(),
   },
   { name: "about", topic: "document", text: words.about, run: async () => (await import("./frame/about.js")).openAbout() },
+
+  { name: "mode-figure", topic: "mode", text: words.figure, keys: ["1"], run: ({ ui }) => ui.set({ mode: "figure" }) },
+  { name: "mode-compare", topic: "mode", text: words.compare, keys: ["3"], run: ({ ui }) => ui.set({ mode: "compare" }) },
 
   { name: "fit", topic: "view", text: words.fit, keys: ["F"], run: fit },
   { name: "zoom-in", topic: "view", text: words.zoomIn, keys: ["+", "="], run: (app) => zoomBy(app, 1) },

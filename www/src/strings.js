@@ -19,6 +19,8 @@ const commands = {
   redo: "Redo",
   shortcuts: "Keyboard shortcuts",
   about: "About Directrix",
+  figure: "Figure",
+  compare: "Compare methods",
   fit: "Fit the figure",
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",
@@ -93,6 +95,7 @@ export const strings = {
 
   topics: {
     document: "Document",
+    mode: "Modes",
     view: "View and grid",
     draw: "Drawing",
     select: "Selection",
