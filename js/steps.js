@@ -16,7 +16,7 @@ const REPAIRED = ["order", "stop", "removal"];
  */
 export function greedyText(engine, document) {
   const { view: _, ...whole } = engine.defaults(toText(document));
-  const { normalWeight, distanceWeight, alignmentWeight, negative, printed } = whole.matching;
+  const { normalWeight, distanceWeight, alignmentWeight, negative, printed = [] } = whole.matching;
   const kept = printed.filter((/** @type {string} */ rule) => !REPAIRED.includes(rule));
   const weights = { normalWeight, distanceWeight, alignmentWeight, negative };
   return toText({ ...whole, matching: { method: "greedy", ...weights, oneToOne: true, printed: kept } });
