@@ -27,6 +27,7 @@ import { words } from "./words.js";
 /** @type {readonly Mode[]} */
 const MODES = [
   { name: "figure", text: words.figure },
+  { name: "steps", text: words.steps, load: () => import("../steps/steps.js").then(({ createSteps }) => createSteps) },
 ];
 
 /** @param {App} app */

@@ -1,0 +1,170 @@
+/** What the step view says. */
+const NARROW = "\u00a0";
+
+/** @param {number} count @param {string} one @param {string} many */
+const counted = (count, one, many) => `${count}${NARROW}${count === 1 ? one : many}`;
+
+export const words = {
+  picture: (/** @type {string} */ title, /** @type {string} */ step) => `${title}, ${step}`,
+  keyboard: "Vertices",
+  keyboardHelp: "Left and right arrows choose the next vertex of the curve, up and down the other curve. Escape goes back to the line of the step.",
+  transport: "Steps",
+  first: "First step",
+  back: "Step back",
+  play: "Play",
+  pause: "Pause",
+  step: "Next step",
+  forward: "Step forward",
+  last: "Last step",
+  scrubber: "Step",
+  stepOf: ["step ", " of "],
+  spokenStep: (/** @type {number} */ at, /** @type {number} */ total) => `Step ${at} of ${total}`,
+  speed: "Speed",
+  speedLabel: "speed",
+  predict: "Predict the next line",
+  predictShort: "Predict",
+  predictRest: " the next line",
+  playing: "Playing",
+  needsTwo: "The steps need two curves.",
+  noSteps: "There is no growth to show.",
+  loading: "Growing",
+
+  groups: {
+    region: "Groups of the step view",
+    growth: "Greedy growth",
+    step: "This step",
+    candidates: "Candidates",
+    accepted: "Accepted lines",
+    optimum: "Compare with the exact optimum",
+    short: "Optimum",
+  },
+  heuristic: "heuristic",
+
+  /** Lines of the pseudo-code; what stands between asterisks is a variable. */
+  code: [
+    "RL ← ∅",
+    "for each vertex *p* of curve 1",
+    "    V ← vertices of curve 2 visible from *p*",
+    "    R ← vertices that keep the order of RL",
+    "    *q* ← argmax f(*p*, x) for x in V ∩ R",
+    "accept the pair (*p*, *q*) with the largest f",
+    "RL ← RL ∪ {(*p*, *q*)}",
+    "repeat until every vertex has a line",
+    "remove lines whose two ends have another",
+    "give each other line of *p* a vertex of its own",
+    "give each other line of *q* a vertex of its own",
+    "check every line",
+  ],
+  methods: {
+    exact: "the exact optimum",
+    greedy: "the greedy growth",
+    "one-per-vertex": "at most one line a vertex",
+    shift: "a shift of the samples",
+    parameter: "equal parameters",
+  },
+  otherMethod: (/** @type {string} */ method) =>
+    `This document is matched by ${method}. The steps show the greedy growth for the same weights.`,
+  repaired: "The rules are the repaired ones, also where the document takes them as printed.",
+
+  phases: { start: "start", growth: "growth", removal: "removal", first: "insertion, pass 1", second: "insertion, pass 2", end: "result" },
+  marks: { growth: "growth", removal: "removal", first: "insertion" },
+  vertexOf: (/** @type {string} */ name) => `vertex ${name}`,
+  seen: (/** @type {string} */ name) => `Visible from ${name}, set V`,
+  valid: "Keeps the order, set R",
+  both: "Candidates, V ∩ R",
+  winner: "winner",
+  best: "best",
+  nextLine: "Next line",
+  theLine: "Line",
+  linesAt: (/** @type {string} */ name) => `Lines at ${name}`,
+  redundant: "Redundant lines",
+  removedNow: "removed",
+  leaves: (/** @type {string} */ name) => `Line of ${name} leaves`,
+  newVertex: (/** @type {number} */ curve) => `New vertex on curve ${curve + 1}`,
+  before: "before",
+  after: "after",
+  linesLeft: "Lines",
+  follow: "Follow the winner",
+  startText: "No line yet. Every vertex may have any line that it sees.",
+  endText: {
+    whole: "Every line has two ends of its own, and every one is verified against the curves and all others.",
+    gaps: (/** @type {number} */ count) =>
+      `${counted(count, "gap keeps", "gaps keep")} the lines from before the insertion: an inserted line failed there.`,
+    stuck: (/** @type {number} */ a, /** @type {number} */ b) =>
+      `The growth is stuck: ${a} + ${b} vertices have no line, and none of their lines fits between those that are there.`,
+  },
+  mean: "Mean",
+  crossings: "Crossings",
+  blocked: "Blocked",
+
+  vertex: "vertex",
+  has: "has its line",
+  breaks: "visible, breaks the order",
+  more: (/** @type {number} */ count) => `and ${count} more`,
+  noCandidates: "None: no line of this vertex is visible and keeps the order.",
+  onlyGrowth: "Candidates are there while the lines grow.",
+  hiddenNow: "Hidden until you have predicted.",
+  acceptedOf: (/** @type {number} */ count, /** @type {number} */ most) => `${count} of at most ${most}`,
+  noneYet: "none yet",
+  goTo: (/** @type {number} */ step, /** @type {string} */ line) => `Step ${step}, line ${line}`,
+
+  gapPhrase: (/** @type {string} */ gap) => `gap in J ${gap}`,
+  gapUnknown: "gap not known",
+  gap: "Gap in J",
+  greedyJ: "Greedy, one-to-one",
+  optimumJ: "Optimum, same samples",
+  ownEta: (/** @type {string} */ method) => `This document, by ${method}`,
+  unknownWhy: "There is a gap only where every vertex has a line.",
+  negativeGap: "Inserted lines end between the samples and may beat the optimum of the samples themselves.",
+
+  legend: {
+    accepted: (/** @type {number} */ count) => (count === 1 ? "accepted line" : "accepted lines"),
+    lines: (/** @type {number} */ count) => (count === 1 ? "line" : "lines"),
+    visible: (/** @type {string} */ name) => `visible from ${name}`,
+    valid: (/** @type {number} */ count) => (count === 1 ? "keeps the order" : "keep the order"),
+    candidates: (/** @type {number} */ count) => (count === 1 ? "candidate" : "candidates"),
+    winner: "winner",
+    redundant: "redundant",
+    removed: "removed",
+    moved: "moved",
+    from: "from",
+    guess: "your line",
+  },
+
+  status: {
+    lines: (/** @type {number} */ count) => (count === 1 ? "line" : "lines"),
+    sum: "sum",
+    crossings: "crossings",
+    blocked: "blocked",
+    uncovered: "uncovered",
+    trace: (/** @type {number} */ steps) => `trace of ${counted(steps, "step", "steps")}`,
+    ms: "ms",
+  },
+
+  ask: (/** @type {string} */ p) => `The next line starts at ${p}. Where does it land? Click a vertex of the other curve, or choose one with the arrow keys and press Enter.`,
+  askShort: (/** @type {string} */ p) => `Where does the line of ${p} land?`,
+  aim: (/** @type {string} */ name) => `Aim at ${name}`,
+  right: (/** @type {string} */ q, /** @type {string} */ f) => `Right: ${q}, f ${f}.`,
+  wrong: {
+    unseen: (/** @type {string} */ guess, /** @type {string} */ q) => `Not ${guess}, which is not visible from there: the line lands on ${q}.`,
+    breaks: (/** @type {string} */ guess, /** @type {string} */ q) => `Not ${guess}, whose line would cross one that is there: the line lands on ${q}.`,
+    lower: (/** @type {string} */ guess, /** @type {string} */ f, /** @type {string} */ q, /** @type {string} */ best) =>
+      `Not ${guess}, whose f is ${f}: the line lands on ${q} with ${best}.`,
+  },
+  score: (/** @type {number} */ right, /** @type {number} */ tries) => `${right} of ${tries} right`,
+  next: "Next",
+  predictOver: "The growth is over: there is no next line to predict. Go back to an earlier step.",
+
+  spoken: {
+    start: "No lines yet",
+    growth: (/** @type {string} */ line, /** @type {string} */ f, /** @type {number} */ before) =>
+      `line ${line}, f ${f}, after ${counted(before, "line", "lines")}`,
+    removal: (/** @type {string} */ line, /** @type {string} */ f) => `line ${line}, f ${f}, is redundant and removed`,
+    insert: (/** @type {number} */ curve, /** @type {string} */ name, /** @type {string} */ f) =>
+      `the line of ${name} gets a vertex of its own on curve ${curve + 1}, f ${f}`,
+    end: (/** @type {number} */ count) => `result, ${counted(count, "line", "lines")}`,
+    sets: (/** @type {string} */ name, /** @type {number} */ v, /** @type {number} */ r, /** @type {number} */ both) =>
+      `${name}: sees ${v}, ${r} keep the order, ${counted(both, "candidate", "candidates")}`,
+    best: (/** @type {string} */ name, /** @type {string} */ f) => `best ${name}, f ${f}`,
+  },
+};
