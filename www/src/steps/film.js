@@ -83,6 +83,7 @@ export function sceneAt(steps, at) {
     scene.chosen = all.find(({ k }) => k === chosen)?.line ?? null;
   } else if (phase === "end") {
     scene.lines = finished(steps);
+    scene.inserted = scene.lines.flatMap(({ from, to, ends: [p, q] }) => [...(from === null ? [p] : []), ...(to === null ? [q] : [])]);
   } else {
     const first = phase === "second" ? lengths(steps).first : 0;
     const done = inserted.slice(0, first + index + 1);

@@ -115,7 +115,7 @@ function factsOf({ steps, scene, hidden, focus, sets }) {
             fact(words.both, String(sets.visible.filter(({ candidate }) => candidate).length), "both"),
           ]
         : []),
-      ...(best ? [fact(isNext ? words.winner : words.best, [vertexName(1 - focus.curve, best.vertex), ", ", symbol("f"), " ", numberNode(best.value)], "best")] : []),
+      ...(best ? [fact(isNext ? words.winnerFact : words.bestFact, [vertexName(1 - focus.curve, best.vertex), ", ", symbol("f"), " ", numberNode(best.value)], "best")] : []),
       ...(chosen && !isNext ? [lineFact(chosen)] : []),
     ];
   }

@@ -27,7 +27,10 @@ import { vertexName } from "./film.js";
 
 /** Distance of the arc of valid vertices from the curve, and of names from their vertices, CSS pixels. */
 const ARC = 9;
-const NAME = 17;
+const NAME = 13;
+const NAME_PAST_ARC = 18;
+/** Share of a normal along the line of text from which a name stands beside its vertex, not above or below. */
+const ASIDE = 0.4;
 
 export function createPicture() {
   const path = (/** @type {string} */ name) => svg("path", { class: name });
@@ -38,13 +41,14 @@ export function createPicture() {
     redundant: path("step-candidates"),
     candidates: path("step-candidates"),
     left: path("step-left"),
-    guess: path("step-guess"),
     curves: path("step-curves"),
     valid: path("step-valid"),
     vertices: path("step-vertices"),
     bare: path("step-bare"),
     inserted: path("step-vertices small"),
     under: path("step-winner-under"),
+    guessUnder: path("step-winner-under"),
+    guess: path("step-guess"),
     winner: path("step-winner"),
     dots: path("step-dots"),
     ends: path("step-ends"),
@@ -106,7 +110,9 @@ export function createPicture() {
       put("winner", winner ? lines([winner]) : "");
       const ends = winner ? winner.ends.map(at) : [];
       put("ends", [...ends, ...(here ? [here] : [])].map(dot).join(""));
-      put("guess", guess !== null && scene.chosen ? segment(at(scene.chosen.ends[0]), at(sample(1, guess))) : "");
+      const missed = guess !== null && scene.chosen ? segment(at(scene.chosen.ends[0]), at(sample(1, guess))) : "";
+      put("guess", missed);
+      put("guessUnder", missed);
       const aimed = aim ? at(sample(aim.curve, aim.vertex)) : null;
       put("aim", aimed ? `${circle(aimed, 9)}${hidden && scene.chosen ? segment(at(scene.chosen.ends[0]), aimed) : ""}` : "");
 
@@ -123,7 +129,8 @@ export function createPicture() {
       }
       if (guess !== null) add(1, guess);
       if (aim) add(aim.curve, aim.vertex);
-      names.replaceChildren(...named.map((vertex) => nameOf(steps, document, vertex, at)));
+      const clear = (/** @type {Vertex} */ { curve }) => (sets && curve === other ? NAME_PAST_ARC : NAME);
+      names.replaceChildren(...named.map((vertex) => nameOf(steps, document, vertex, at, clear(vertex))));
     },
   };
 }
@@ -169,11 +176,20 @@ function arc(steps, document, curve, valid, at) {
  */
 const beside = (point, normal, by) => [point[0] + by * normal[0], point[1] - by * normal[1]];
 
-/** @param {Steps} steps @param {CurvesDocument} document @param {Vertex} vertex @param {(point: Point) => Point} at */
-function nameOf({ samples }, document, { curve, vertex }, at) {
-  const { points, normals } = /** @type {import("../../../js/directrix.js").Samples} */ (samples[curve]);
-  const [x, y] = beside(at(points[vertex] ?? [0, 0]), normals[vertex] ?? [0, 0], awaySide(document, curve) * NAME);
-  return svg("text", { x: x.toFixed(1), y: (y + 4).toFixed(1), "text-anchor": "middle" }, vertexName(curve, vertex));
+/**
+ * @param {Steps} steps
+ * @param {CurvesDocument} document
+ * @param {Vertex} vertex
+ * @param {(point: Point) => Point} at
+ * @param {number} by CSS pixels from the vertex
+ */
+function nameOf({ samples }, document, { curve, vertex }, at, by) {
+  const normal = samples[curve]?.normals[vertex] ?? [0, 0];
+  const side = awaySide(document, curve);
+  const [x, y] = beside(at(samples[curve]?.points[vertex] ?? [0, 0]), normal, side * by);
+  const aside = side * normal[0];
+  const anchor = aside > ASIDE ? "start" : aside < -ASIDE ? "end" : "middle";
+  return svg("text", { x: x.toFixed(1), y: (y + 4).toFixed(1), "text-anchor": anchor }, vertexName(curve, vertex));
 }
 
 /** @param {Point} point */

@@ -94,7 +94,7 @@ export function createSteps(app, { stage, aside, status }) {
     setSpeed: (value) => (speed = value),
     togglePrediction,
   });
-  const foot = h("div", { class: "steps-foot" }, legend, transport.element);
+  const foot = h("div", { class: "steps-foot" }, h("div", { class: "steps-head" }, legend, transport.predict), transport.element);
   stage.append(/** @type {any} */ (picture.element), keyboard, help, message, asking, foot);
   const groupsAt = h("div", { class: "steps-groups" });
   aside.append(groupsAt);
@@ -199,6 +199,7 @@ export function createSteps(app, { stage, aside, status }) {
     if (!steps) return;
     at = Math.min(end(), Math.max(0, next));
     last = { document: shown, at };
+    if (ui.value.note) ui.set({ note: null });
     if (prediction) prediction = { ...prediction, aim: null, told: prediction.told?.at === at ? prediction.told : null };
     hovered = null;
     if (!playing) say();
@@ -274,6 +275,7 @@ export function createSteps(app, { stage, aside, status }) {
       chosen = null;
       prediction = begun(at);
       at += 1;
+      keyboard.focus({ preventScroll: true });
       say();
     }
     render();
@@ -302,16 +304,8 @@ export function createSteps(app, { stage, aside, status }) {
     const { told, right = 0, tries = 0 } = prediction ?? {};
     const line = steps?.growth[at - 1];
     if (!told || told.at !== at || !line) return null;
-    const guess = vertexName(1, told.guess);
-    const q = vertexName(1, line.to);
-    const seen = sets.get(`${at - 1} 0 ${line.from}`)?.visible.find(({ vertex }) => vertex === told.guess);
-    const f = significantText(line.value);
-    const text =
-      told.kind === "right"
-        ? words.right(q, f)
-        : told.kind === "lower"
-          ? words.wrong.lower(guess, significantText(seen?.value ?? 0), q, f)
-          : words.wrong[told.kind](guess, q);
+    const [guess, q] = [vertexName(1, told.guess), vertexName(1, line.to)];
+    const text = told.kind === "right" ? words.right(q) : words.wrong[told.kind](guess, q);
     return `${text} ${words.score(right, tries)}.`;
   }
 
@@ -445,7 +439,7 @@ export function createSteps(app, { stage, aside, status }) {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !steps) return;
     const target = event.target instanceof Element ? event.target : null;
     if (target?.closest("input, select, textarea, [data-panel], [role=menu], [role=tab]")) return;
-    const onButton = target?.closest("button, a") !== null && target !== null;
+    const onButton = target !== null && target.closest("button, a") !== null;
     const onCanvas = target === keyboard;
     const inAside = target !== null && aside.contains(target);
     const along = { ArrowRight: 1, ArrowLeft: -1 }[event.key];

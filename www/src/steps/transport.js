@@ -45,7 +45,7 @@ export function createTransport(acts) {
   const play = h("button", { type: "button", class: "play", "data-steps": "play", onclick: acts.toggle });
   const step = h("span", { class: "strong number" });
   const total = h("span", { class: "number" });
-  const reading = h("span", { class: "steps-reading" }, words.stepOf[0] ?? "", step, words.stepOf[1] ?? "", total);
+  const reading = h("span", { class: "steps-reading" }, h("span", { class: "long" }, words.stepOf[0]), step, words.stepOf[1], total);
   const control = slider({ label: words.scrubber, name: "step", min: 0, max: 1, step: 1 }, { change: acts.goTo });
   control.element.classList.add("large");
   const bars = ["done", "current", "rest"].map((name) => svg("path", { class: `bar-${name}` }));
@@ -60,7 +60,7 @@ export function createTransport(acts) {
   speed.value = "1";
   const predict = h(
     "button",
-    { type: "button", class: "push steps-predict", "data-steps": "predict", onclick: acts.togglePrediction, "aria-label": words.predict },
+    { type: "button", class: "steps-predict", "data-furniture": "", "data-steps": "predict", onclick: acts.togglePrediction, "aria-label": words.predict },
     words.predictShort,
     h("span", { class: "long" }, words.predictRest),
   );
@@ -71,7 +71,6 @@ export function createTransport(acts) {
     reading,
     scrubber,
     h("label", { class: "steps-speed" }, h("span", {}, words.speedLabel), h("span", { class: "field" }, speed)),
-    predict,
   );
 
   let face = "";
@@ -81,6 +80,7 @@ export function createTransport(acts) {
 
   return {
     element,
+    predict,
     /**
      * @param {object} state
      * @param {Steps} state.steps
