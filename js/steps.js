@@ -29,7 +29,7 @@ export function greedyText(engine, document) {
  */
 export function stepsOf(engine, document) {
   const text = greedyText(engine, document);
-  const match = engine.match(text);
+  const match = engine.match(text, false);
   /** @type {number[][][]} */
   const [growth, rejected, removed, inserted] = engine.steps(text);
   return {

@@ -40,19 +40,21 @@ const SMALL: f64 = 420.0;
 pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport) -> DisplayList {
     let is_small = f64::from(viewport.width.min(viewport.height)) < SMALL * viewport.pixel_ratio;
     let theme = if is_small { options.theme.compact() } else { options.theme };
+    // Occluded lines that were added may cross: nothing is blended over them.
+    let band = solution.band().filter(|_| solution.is_complete());
     let mut drawing = Drawing {
         solution,
         options,
         theme,
         is_small,
-        on_band: solution.band().is_some()
+        on_band: band.is_some()
             && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
         outlines: outlines(solution, CHORD_ERROR / viewport.scale),
         list: DisplayList::new(options.background.then_some(theme.canvas)),
     };
     drawing.grid();
-    if let Some(band) = solution.band() {
+    if let Some(band) = band {
         drawing.material(band);
         drawing.in_betweens(band);
         drawing.iso_lines(band);
@@ -60,7 +62,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     if let Some((problem, lines, _)) = solution.lines() {
         drawing.lines(problem, lines);
     }
-    if let (Some(band), Some(s)) = (solution.band(), options.s) {
+    if let (Some(band), Some(s)) = (band, options.s) {
         drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
     }
     drawing.boundaries();
@@ -162,6 +164,16 @@ impl Drawing<'_> {
         let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
             lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
+        let broken = self.solution.broken();
+        let these = |bad: bool| Path {
+            rings: segments
+                .iter()
+                .enumerate()
+                .filter(|&(k, _)| broken.get(k).is_some_and(|&broken| broken) == bad)
+                .map(|(_, segment)| segment.clone())
+                .collect(),
+            closed: false,
+        };
         if self.shows(LayerName::Value) {
             let values = lines.iter().map(|line| line.value);
             let (low, high) =
@@ -172,8 +184,10 @@ impl Drawing<'_> {
                 self.stroke("value", Path::open(segment.clone()), style);
             }
         } else if self.shows(LayerName::RulingLines) {
-            let path = Path { rings: segments.clone(), closed: false };
-            self.stroke("ruling-lines", path, self.inside(self.theme.ruling_line));
+            self.stroke("ruling-lines", these(false), self.inside(self.theme.ruling_line));
+        }
+        if self.shows(LayerName::RulingLines) {
+            self.stroke("broken-lines", these(true), self.theme.error);
         }
         if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
             self.cased("line", Path::open(segment.clone()), self.theme.probe);
@@ -206,7 +220,7 @@ impl Drawing<'_> {
     /// Marks what is wrong: vertices without a line, corners of a crossing, places where curves meet.
     fn witnesses(&mut self) {
         let style = StrokeStyle { dash: None, width_px: 2.0, ..self.theme.error };
-        if let (Outcome::Matched { matching, .. }, true) =
+        if let (Outcome::Matched { matching, is_complete: false, .. }, true) =
             (&self.solution.outcome, self.shows(LayerName::Unconnected))
         {
             let bare = self.solution.model.samples().iter().zip(&matching.totals.uncovered);

@@ -24,6 +24,7 @@ pub(super) struct MatchResult {
     gap: Option<f64>,
     #[serde(rename = "gapKind")]
     gap_kind: Option<&'static str>,
+    coarse: bool,
 }
 
 #[derive(Serialize)]
@@ -183,6 +184,7 @@ impl MatchResult {
                 GapKind::Refined => "refined",
                 GapKind::Lattice => "lattice",
             }),
+            coarse: solution.is_coarse,
         })
     }
 }

@@ -27,7 +27,12 @@ import { words } from "./words.js";
 /** @type {readonly Mode[]} */
 const MODES = [
   { name: "figure", text: words.figure },
-  { name: "steps", text: words.steps, load: () => import("../steps/steps.js").then(({ createSteps }) => createSteps) },
+  { name: "steps", text: words.steps, load: async () => (await import("../steps/steps.js")).createSteps },
+  {
+    name: "compare",
+    text: words.compare,
+    load: async () => (await import("../compare/compare.js")).createCompare,
+  },
 ];
 
 /** @param {App} app */
