@@ -14,6 +14,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "fit",
   "insertPoint",
   "defaults",
+  "explain",
   "readShapes",
   "fitCurve",
 ]);
@@ -22,13 +23,13 @@ export const FUNCTIONS = /** @type {const} */ ([
 const FORMATS = ["auto", "svg", "points"];
 
 /**
- * The engine as one that reads shapes, which that of the module `figure` does not.
+ * The engine as that of the module `full`, which answers more than that of `figure`.
  *
  * @param {import("./pkg/directrix.js").Engine} engine
  * @param {string} name of the function
  * @returns {import("./pkg/directrix_full.js").Engine}
  */
-function importer(engine, name) {
+function whole(engine, name) {
   if (name in engine) return /** @type {any} */ (engine);
   throw new DirectrixError("not-in-module", "", `${name} is not in the module "figure"; load the module "full"`);
 }
@@ -77,9 +78,10 @@ export function createApi(engine) {
    * @param {import("./directrix.js").DocumentInput} document
    * @param {import("./directrix.js").PictureOptions} options
    */
-  const start = (document, options) => ask(() => engine.painting(toText(document), toText(options, "options")));
+  const start = (document, { coarse = false, ...options }) =>
+    ask(() => engine.painting(toText(document), coarse, toText(options, "options")));
   return {
-    match: (document) => ask(() => engine.match(toText(document))),
+    match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
     cells: (document) => ask(() => engine.cells(toText(document))),
     isolines: (document, options = {}) =>
@@ -100,6 +102,13 @@ export function createApi(engine) {
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
+    explain: (document, line) =>
+      ask(() => {
+        if (!Number.isInteger(line) || line < 0) {
+          throw new DirectrixError("range", "line", `${String(line)} was found; expected the index of a line`);
+        }
+        return whole(engine, "explain").explain(toText(document), line);
+      }),
     readShapes: (text, options = {}) =>
       ask(() => {
         const { format = "auto" } = options;
@@ -107,18 +116,18 @@ export function createApi(engine) {
         if (!FORMATS.includes(format)) {
           throw new DirectrixError("range", "options.format", `"${format}" was found; expected ${FORMATS.join(", ")}`);
         }
-        return shapesOf(importer(engine, "readShapes").readShapes(text, format));
+        return shapesOf(whole(engine, "readShapes").readShapes(text, format));
       }),
     fitCurve: (points, options) =>
-      ask(() => importer(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
-    job(document, { paint } = {}) {
+      ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
+    job(document, { paint, coarse = paint?.coarse ?? false } = {}) {
       const text = ask(() => toText(document));
       /** @type {import("./pkg/directrix.js").Painting | undefined} */
       let painting;
       /** @type {import("./directrix.js").Progress | undefined} */
       let end;
       const solve = (/** @type {number} */ budget) => {
-        const progress = ask(() => engine.step(text, budget));
+        const progress = ask(() => engine.step(text, coarse, budget));
         if (!paint) return { progress, done: progress === 1 };
         if (progress === 1) painting = start(text, paint);
         return { progress: progress / 2, done: false };

@@ -184,6 +184,58 @@ export interface Match {
   gap: number | null;
   /** Whether the optimum is that on the curves themselves or that between the same samples. */
   gapKind: "refined" | "lattice" | null;
+  /** Whether the refinement on the curves was left out, which a call without `coarse` does. */
+  coarse: boolean;
+}
+
+export interface MatchOptions {
+  /**
+   * Leaves out the refinement of the method `exact` on the curves themselves, unless it has been done: for documents that change from
+   * frame to frame. Default false.
+   */
+  coarse?: boolean;
+}
+
+/** Another line at one end of a ruling line. */
+export interface Rival {
+  from: Point;
+  to: Point;
+  /** Index of the sample at its other end; where there are pairs, of the pair that ends there. */
+  other: number;
+  /** f */
+  value: number;
+  /** It is a ruling line too; it meets a curve; it crosses the ruling line `line`; or nothing forbids it, but the whole is worth more without it. */
+  fate: "taken" | "blocked" | "crosses" | "free";
+  line: number | null;
+}
+
+/** Where a ruling line stands among the lines from one of its ends: to all samples, or to the ends of all pairs where there are pairs. */
+export interface Standing {
+  /** Rank by value among those that meet no curve, from 1; null when the line itself meets one. */
+  rank: number | null;
+  /** How many meet no curve. */
+  visible: number;
+  /** The best of the others, best first, at most 4. */
+  rivals: Rival[];
+}
+
+/** A ruling line, the parts of its value, and its rivals. */
+export interface Explanation {
+  /** Index among the pairs where there are pairs. */
+  line: number;
+  from: Point;
+  to: Point;
+  /** f, the product of the factors. */
+  value: number;
+  /** Product of the unit normals at its ends. */
+  cosine: number;
+  length: number;
+  /** Product of the cosines between the line and either normal. */
+  alignment: number;
+  /** Of the normals, of the length and of the alignment. */
+  factors: [number, number, number];
+  /** At its end on the first curve and at that on the second. */
+  ends: [Standing, Standing];
 }
 
 /** A closed polyline at the share s of the way from curve 1 to curve 2. */
@@ -251,7 +303,7 @@ export interface PictureSize {
   pixelRatio?: number;
 }
 
-export interface PictureOptions extends PictureSize {
+export interface PictureOptions extends PictureSize, MatchOptions {
   /** Default: the document's view, else the one that shows everything. */
   view?: View;
   /** Default: the document's layers, else all but normals, values and unit cells. */
@@ -343,7 +395,7 @@ export interface FittedCurve {
 
 /** The functions of a module. All throw `DirectrixError`. */
 export interface Directrix {
-  match(document: DocumentInput): Match;
+  match(document: DocumentInput, options?: MatchOptions): Match;
   stages(document: DocumentInput, options?: { refine?: number }): Stage[];
   cells(document: DocumentInput): UnitCell[];
   /** One entry for each level, in the order asked for; empty unless the matching is complete. */
@@ -354,11 +406,14 @@ export interface Directrix {
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
+  /** null where there is no such line. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  explain(document: DocumentInput, line: number): Explanation | null;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   fitCurve(points: Point[], options: FitOptions): FittedCurve;
-  job(document: DocumentInput, options?: { paint?: PictureOptions }): Job;
+  /** With `paint`, its option `coarse` counts. */
+  job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions }): Job;
 }
 
 export interface LoadOptions {

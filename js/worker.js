@@ -68,7 +68,7 @@ async function work() {
 async function solve(dx, { id, name, args }) {
   if (UNSOLVED.has(name)) return undefined;
   args[0] = toText(args[0]);
-  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : {});
+  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : name === "match" ? args[1] : {});
   let state = job.step(BUDGET);
   for (; !state.done && current === id; state = job.step(BUDGET)) {
     scope.postMessage({ type: "progress", id, progress: state.progress });

@@ -18,6 +18,8 @@ pub struct Solution {
     pub outcome: Outcome,
     /// Remarks on the geometry.
     pub diagnostics: Vec<Diagnostic>,
+    /// Whether a refinement on the curves themselves was left out, which another job would do.
+    pub is_coarse: bool,
 }
 
 /// How far the integral J of the lines stays below the greatest one.
@@ -118,7 +120,7 @@ pub struct Solve {
 
 #[derive(Debug)]
 enum State {
-    Ready(Box<(Outcome, Vec<Diagnostic>)>),
+    Ready(Box<(Outcome, Vec<Diagnostic>, bool)>),
     Working(Box<Work>),
 }
 
@@ -128,10 +130,23 @@ impl Solve {
     /// # Errors
     /// When a curve or a composition is not valid, see [`Model::new`].
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
+        Self::start(document, false)
+    }
+
+    /// As [`new`](Self::new), but leaves out the refinement of the method `exact` on the curves themselves: one-to-one lines then follow the
+    /// optimum between the samples. For documents that change from frame to frame.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub fn coarse(document: CurvesDocument) -> Result<Self, DocumentError> {
+        Self::start(document, true)
+    }
+
+    fn start(document: CurvesDocument, is_coarse: bool) -> Result<Self, DocumentError> {
         let model = Model::new(document)?;
         let state = match model.fault() {
-            Some(fault) => State::Ready(Box::new((Outcome::Refused(fault), Vec::new()))),
-            None => prepare(&model),
+            Some(fault) => State::Ready(Box::new((Outcome::Refused(fault), Vec::new(), false))),
+            None => prepare(&model, is_coarse),
         };
         Ok(Self { model: Some(model), state })
     }
@@ -146,8 +161,9 @@ impl Solve {
         }
         let State::Ready(ready) = &mut self.state else { return None };
         let model = self.model.take()?;
-        let (outcome, diagnostics) = std::mem::replace(&mut **ready, (Outcome::Unmatched, Vec::new()));
-        Some(Solution { model, outcome, diagnostics })
+        let (outcome, diagnostics, is_coarse) =
+            std::mem::replace(&mut **ready, (Outcome::Unmatched, Vec::new(), false));
+        Some(Solution { model, outcome, diagnostics, is_coarse })
     }
 
     /// Share of the work that is done, from 0 to 1.
@@ -173,17 +189,17 @@ impl Solve {
     }
 }
 
-fn prepare(model: &Model) -> State {
+fn prepare(model: &Model, is_coarse: bool) -> State {
     let reason = match model.pair() {
         None => Diagnostic::Incomplete { curves: model.curves().len() },
-        Some((curves, samples)) => match Work::new(model, curves, samples) {
+        Some((curves, samples)) => match Work::new(model, curves, samples, is_coarse) {
             Ok(work) => return State::Working(Box::new(work)),
             Err(error) => why_unmatched(curves, model.gap(), error),
         },
     };
     let mut diagnostics = curve_remarks(model);
     diagnostics.push(reason);
-    State::Ready(Box::new((Outcome::Unmatched, diagnostics)))
+    State::Ready(Box::new((Outcome::Unmatched, diagnostics, false)))
 }
 
 /// Puts a matching together with its band and the remarks on it.
@@ -197,7 +213,7 @@ fn matched(model: &Model, problem: Problem, found: Found) -> State {
     let is_complete = found.is_complete();
     let is_grown = !found.matching.growth.is_empty();
     diagnostics.extend(remarks(model.weights(), &problem, &found.matching, is_grown));
-    let Found { matching, pairs, gap, occluded, diagnostics: more, .. } = found;
+    let Found { matching, pairs, gap, occluded, is_coarse, diagnostics: more, .. } = found;
     diagnostics.extend(more);
     let failed = pairs.iter().flat_map(|pairs| &pairs.failed);
     diagnostics.extend(failed.map(|gap| Diagnostic::UnverifiedGap { lines: gap.lines.clone(), at: gap.at }));
@@ -220,7 +236,7 @@ fn matched(model: &Model, problem: Problem, found: Found) -> State {
         gap,
         details,
     };
-    State::Ready(Box::new((outcome, diagnostics)))
+    State::Ready(Box::new((outcome, diagnostics, is_coarse)))
 }
 
 /// Says why sampled polygons cannot be matched although the curves themselves are simple and, at equal heights, apart.

@@ -17,6 +17,8 @@ pub(super) struct Work {
     samples: [Samples; 2],
     pins: Vec<(usize, usize)>,
     spec: super::MatchingSpec,
+    /// Leave out the refinement on the curves.
+    is_coarse: bool,
     problem: Problem,
     stage: Stage,
     found: Found,
@@ -33,6 +35,8 @@ pub(super) struct Found {
     /// Indices of lines that are not visible.
     pub(super) occluded: Vec<usize>,
     pub(super) diagnostics: Vec<Diagnostic>,
+    /// A refinement on the curves that belongs to the method was left out.
+    pub(super) is_coarse: bool,
     /// The exact method was refused: the lines are a part of what was asked for.
     is_partial: bool,
     /// The lattice optimum of J of the same samples.
@@ -65,7 +69,7 @@ impl Found {
 }
 
 impl Work {
-    /// Prepares the method of a document with both curves.
+    /// Prepares the method of a document with both curves; `is_coarse` leaves out the refinement of `exact` on the curves.
     ///
     /// # Errors
     /// When the sampled polygons cannot be matched.
@@ -73,6 +77,7 @@ impl Work {
         model: &Model,
         curves: &[ClosedBSpline; 2],
         samples: &[Samples; 2],
+        is_coarse: bool,
     ) -> Result<Self, ProblemError> {
         let spec = model.document().matching.clone();
         let mut outlines = samples.each_ref().map(Outline::from);
@@ -87,6 +92,7 @@ impl Work {
             gap: None,
             occluded: Vec::new(),
             diagnostics: Vec::new(),
+            is_coarse: false,
             is_partial: false,
             optimum: None,
             refined: None,
@@ -96,6 +102,7 @@ impl Work {
             samples: samples.clone(),
             pins: model.pins().to_vec(),
             spec,
+            is_coarse,
             problem,
             stage: Stage::Done,
             found,
@@ -271,6 +278,10 @@ impl Work {
                 Stage::Inserting(Box::new(job))
             }
             Method::Exact if self.pins.is_empty() && self.options().objective == Objective::Integral => {
+                if self.is_coarse {
+                    self.found.is_coarse = true;
+                    return self.even();
+                }
                 let gap = self.problem.gap();
                 Stage::Refining(Box::new(Refine::new(self.curves.clone(), self.problem.weights(), gap)))
             }

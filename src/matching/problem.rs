@@ -214,6 +214,28 @@ impl Problem {
         (self.outlines[1].points[to] - self.outlines[0].points[from]).length().hypot(self.gap)
     }
 
+    /// The factors of the value of a line: of the normals, of the length, and of the alignment; each is 1 where its weight is 0.
+    #[must_use]
+    pub fn factors(&self, from: usize, to: usize) -> [f64; 3] {
+        let alone = Weights { normal: 0.0, distance: 0.0, alignment: 0.0, ..self.weights };
+        let Weights { normal, distance, alignment, .. } = self.weights;
+        let value =
+            |weights: Weights| weights.value(self.end(0, from), self.end(1, to), self.gap, self.shortest);
+        [
+            value(Weights { normal, ..alone }),
+            value(Weights { distance, ..alone }),
+            value(Weights { alignment, ..alone }),
+        ]
+    }
+
+    /// Product of the cosines between a line and each of the normals at its ends, from -1 to 1: 1 where the line runs along both.
+    #[must_use]
+    pub fn alignment(&self, from: usize, to: usize) -> f64 {
+        let (p, q) = (self.end(0, from), self.end(1, to));
+        let along = (q.point - p.point) / self.length(from, to).max(self.shortest);
+        (along.dot(p.normal) * along.dot(q.normal)).clamp(-1.0, 1.0)
+    }
+
     /// Rank of a line in the greedy order: higher values come first, and among equal ones (to 40 significant bits) the
     /// smaller second number, which is the length where negative products are clamped and 0 elsewhere.
     pub(super) fn rank(&self, from: usize, to: usize, value: f64) -> (f64, f64) {

@@ -40,19 +40,21 @@ const SMALL: f64 = 420.0;
 pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport) -> DisplayList {
     let is_small = f64::from(viewport.width.min(viewport.height)) < SMALL * viewport.pixel_ratio;
     let theme = if is_small { options.theme.compact() } else { options.theme };
+    // Occluded lines that were added may cross: nothing is blended over them.
+    let band = solution.band().filter(|_| solution.is_complete());
     let mut drawing = Drawing {
         solution,
         options,
         theme,
         is_small,
-        on_band: solution.band().is_some()
+        on_band: band.is_some()
             && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
         outlines: outlines(solution, CHORD_ERROR / viewport.scale),
         list: DisplayList::new(options.background.then_some(theme.canvas)),
     };
     drawing.grid();
-    if let Some(band) = solution.band() {
+    if let Some(band) = band {
         drawing.material(band);
         drawing.in_betweens(band);
         drawing.iso_lines(band);
@@ -60,7 +62,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     if let Some((problem, lines, _)) = solution.lines() {
         drawing.lines(problem, lines);
     }
-    if let (Some(band), Some(s)) = (solution.band(), options.s) {
+    if let (Some(band), Some(s)) = (band, options.s) {
         drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
     }
     drawing.boundaries();
@@ -162,6 +164,8 @@ impl Drawing<'_> {
         let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
             lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
+        let bad = self.bad_lines();
+        let is_bad = |k: &usize| bad.contains(k);
         if self.shows(LayerName::Value) {
             let values = lines.iter().map(|line| line.value);
             let (low, high) =
@@ -172,11 +176,38 @@ impl Drawing<'_> {
                 self.stroke("value", Path::open(segment.clone()), style);
             }
         } else if self.shows(LayerName::RulingLines) {
-            let path = Path { rings: segments.clone(), closed: false };
-            self.stroke("ruling-lines", path, self.inside(self.theme.ruling_line));
+            let sound = (0..segments.len()).filter(|k| !is_bad(k)).map(|k| segments[k].clone()).collect();
+            self.stroke(
+                "ruling-lines",
+                Path { rings: sound, closed: false },
+                self.inside(self.theme.ruling_line),
+            );
+        }
+        if self.shows(LayerName::RulingLines) {
+            let rings =
+                segments.iter().enumerate().filter(|(k, _)| is_bad(k)).map(|(_, s)| s.clone()).collect();
+            self.stroke("occluded", Path { rings, closed: false }, self.theme.error);
         }
         if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
             self.cased("line", Path::open(segment.clone()), self.theme.probe);
+        }
+    }
+
+    /// Numbers of the lines that meet a curve or, one to one, cross another.
+    fn bad_lines(&self) -> Vec<usize> {
+        let unverified = self.solution.diagnostics.iter().find_map(|diagnostic| match diagnostic {
+            Diagnostic::Unverified { lines } | Diagnostic::Occluded { lines } => Some(lines.clone()),
+            _ => None,
+        });
+        match (&self.solution.outcome, unverified) {
+            (_, Some(lines)) => lines,
+            (Outcome::Matched { problem, matching, pairs: None, .. }, None)
+                if matching.totals.blocked > 0 =>
+            {
+                let lines = &matching.lines;
+                (0..lines.len()).filter(|&k| !problem.is_visible(lines[k].from, lines[k].to)).collect()
+            }
+            _ => Vec::new(),
         }
     }
 

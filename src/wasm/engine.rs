@@ -22,7 +22,8 @@ const MOST_REFINED: usize = 64;
 #[derive(Default)]
 pub struct Engine {
     solved: VecDeque<(String, Rc<Solution>)>,
-    job: Option<(String, Solve)>,
+    /// The document being solved, and whether coarsely.
+    job: Option<(String, bool, Solve)>,
 }
 
 #[wasm_bindgen]
@@ -34,17 +35,18 @@ impl Engine {
         Self::default()
     }
 
-    /// Goes on solving a document for about `budget` milliseconds; returns the share done, 1 when it is solved.
-    pub fn step(&mut self, text: &str, budget: f64) -> Result<f64, JsValue> {
+    /// Goes on solving a document for about `budget` milliseconds; returns the share done, 1 when it is solved. `coarse` leaves out the
+    /// refinement on the curves, here and below, unless it has been done.
+    pub fn step(&mut self, text: &str, coarse: bool, budget: f64) -> Result<f64, JsValue> {
         let clock = clock();
         let start = clock.now();
-        self.advance(text, &mut || clock.now() - start < budget).map_err(|e| to_js(&e))
+        self.advance(text, coarse, &mut || clock.now() - start < budget).map_err(|e| to_js(&e))
     }
 
     /// The matching of a document.
     #[wasm_bindgen(js_name = match)]
-    pub fn matching(&mut self, text: &str) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
+    pub fn matching(&mut self, text: &str, coarse: bool) -> Result<JsValue, JsValue> {
+        let solution = self.solve_to(text, coarse)?;
         to_value(&MatchResult::new(&solution).map_err(|e| to_js(&e))?)
     }
 
@@ -82,15 +84,15 @@ impl Engine {
     }
 
     /// The picture, to be painted in steps.
-    pub fn painting(&mut self, text: &str, options: &str) -> Result<Painting, JsValue> {
-        let (_, viewport, list) = self.picture(text, options)?;
+    pub fn painting(&mut self, text: &str, coarse: bool, options: &str) -> Result<Painting, JsValue> {
+        let (_, viewport, list) = self.picture(text, coarse, options)?;
         let strips = picture::Painting::new(&list, &viewport).map_err(|e| refused_picture(&e.to_string()))?;
         Ok(Painting::new(strips, viewport))
     }
 
     /// The picture as SVG.
     pub fn svg(&mut self, text: &str, options: &str) -> Result<String, JsValue> {
-        let (solution, viewport, list) = self.picture(text, options)?;
+        let (solution, viewport, list) = self.picture(text, false, options)?;
         Ok(to_svg(&list, &viewport, &solution.model.document().title, &describe(&solution)))
     }
 
@@ -120,39 +122,57 @@ impl Engine {
     fn picture(
         &mut self,
         text: &str,
+        coarse: bool,
         options: &str,
     ) -> Result<(Rc<Solution>, Viewport, DisplayList), JsValue> {
         let options =
             parse(options).and_then(|options| PictureOptions::read(&options)).map_err(|e| to_js(&e))?;
-        let solution = self.solve(text)?;
+        let solution = self.solve_to(text, coarse)?;
         options.check(&solution.model).map_err(|e| to_js(&e))?;
         let viewport = options.viewport(&solution.model);
         let list = figure(&solution, &options.figure(&solution.model), &viewport);
         Ok((solution, viewport, list))
     }
 
-    fn solve(&mut self, text: &str) -> Result<Rc<Solution>, JsValue> {
+    pub(super) fn solve(&mut self, text: &str) -> Result<Rc<Solution>, JsValue> {
+        self.solve_to(text, false)
+    }
+
+    fn solve_to(&mut self, text: &str, coarse: bool) -> Result<Rc<Solution>, JsValue> {
         loop {
-            if let Some((_, solution)) = self.solved.iter().find(|(known, _)| known == text) {
+            if let Some(solution) = self.known(text, coarse) {
                 return Ok(Rc::clone(solution));
             }
-            self.advance(text, &mut || true).map_err(|e| to_js(&e))?;
+            self.advance(text, coarse, &mut || true).map_err(|e| to_js(&e))?;
         }
     }
 
-    fn advance(&mut self, text: &str, may_go_on: &mut dyn FnMut() -> bool) -> Result<f64, DocumentError> {
-        if self.solved.iter().any(|(known, _)| known == text) {
+    /// The solution of a document if there is one, refined where that may not be left out.
+    fn known(&self, text: &str, coarse: bool) -> Option<&Rc<Solution>> {
+        let is_it = |known: &str, solution: &Solution| known == text && (coarse || !solution.is_coarse);
+        self.solved.iter().find_map(|(known, solution)| is_it(known, solution).then_some(solution))
+    }
+
+    fn advance(
+        &mut self,
+        text: &str,
+        coarse: bool,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<f64, DocumentError> {
+        if self.known(text, coarse).is_some() {
             return Ok(1.0);
         }
         let mut job = match self.job.take() {
-            Some((known, job)) if known == text => job,
+            Some((known, is_coarse, job)) if known == text && is_coarse == coarse => job,
+            _ if coarse => Solve::coarse(read(text)?)?,
             _ => Solve::new(read(text)?)?,
         };
         let Some(solution) = job.step(may_go_on) else {
             let progress = job.progress().min(0.999);
-            self.job = Some((text.to_owned(), job));
+            self.job = Some((text.to_owned(), coarse, job));
             return Ok(progress);
         };
+        self.solved.retain(|(known, _)| known != text);
         self.solved.truncate(KEPT - 1);
         self.solved.push_front((text.to_owned(), Rc::new(solution)));
         Ok(1.0)

@@ -5,6 +5,8 @@
 
 mod engine;
 mod error;
+#[cfg(feature = "explain")]
+mod explain;
 #[cfg(feature = "import")]
 mod import;
 mod json;

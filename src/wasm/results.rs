@@ -21,6 +21,7 @@ pub(super) struct MatchResult {
     gap: Option<f64>,
     #[serde(rename = "gapKind")]
     gap_kind: Option<&'static str>,
+    coarse: bool,
 }
 
 #[derive(Serialize)]
@@ -180,6 +181,7 @@ impl MatchResult {
                 GapKind::Refined => "refined",
                 GapKind::Lattice => "lattice",
             }),
+            coarse: solution.is_coarse,
         })
     }
 }

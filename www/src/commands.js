@@ -228,6 +228,7 @@ export const COMMANDS = [
 
   { name: "read-line", topic: "reading", text: words.readLine, keys: ["ArrowRight", "ArrowLeft"] },
   { name: "read-along", topic: "reading", text: words.readAlong, keys: ["ArrowUp", "ArrowDown"] },
+  { name: "read-explain", topic: "reading", text: words.readExplain, keys: [words.click, "Enter"] },
   { name: "read-close", topic: "reading", text: words.readClose, keys: ["Escape"] },
 
   { name: "field-step", topic: "fields", text: words.fieldStep, keys: ["ArrowUp", "ArrowDown"] },

@@ -39,10 +39,22 @@ const SHORTFALLS = ["unverified-gap", "sample-limit"];
  */
 export function advice({ ok, diagnostics, totals }) {
   const words = strings.advice;
+  const has = (/** @type {string} */ name) => diagnostics.find(({ code }) => code === name);
+  if (has("pins")) return words.pins;
+  const occluded = has("occluded")?.lines?.length;
+  if (occluded) return words.occluded(occluded);
   const [a, b] = totals.lines?.uncovered ?? [[], []];
-  if (a.length + b.length > 0) {
-    const hidden = diagnostics.some(({ code }) => code === "orphan");
-    return `${words.notCovered(a.length, b.length)} ${hidden ? words.openPocket : words.moveApart}`;
+  if (!ok && a.length + b.length > 0) {
+    const why = has("orphan")
+      ? words.openPocket
+      : has("jammed")
+        ? words.jammed
+        : has("solvable")
+          ? words.solvable
+          : has("stuck")
+            ? words.moveApart
+            : words.unpaired;
+    return `${words.notCovered(a.length, b.length)} ${why}`;
   }
   // A whole result may still hold less than was asked for.
   const [first] = ok ? diagnostics.filter(({ code }) => SHORTFALLS.includes(code)) : diagnostics;

@@ -99,6 +99,8 @@ function assemble(kernel, store, restored, kept) {
     unkept: false,
     theme: currentTheme(),
     probe: null,
+    line: null,
+    pin: null,
     witness: null,
     note: null,
     open: FIRST_OPEN,
@@ -162,6 +164,9 @@ function run(app) {
     createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose }),
     probe,
     createWitness(app),
+    later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
+      import("./lines/lines.js").then(({ createLines }) => createLines),
+    ),
     later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
     later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
     createLegend(app),
@@ -196,6 +201,7 @@ function run(app) {
     ({ document } = store);
     ui.set({
       probe: null,
+      line: null,
       witness: null,
       note: null,
       selection: within(ui.value.selection, document),

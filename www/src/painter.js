@@ -33,15 +33,18 @@ export function createPainter(app) {
   /** @type {CurvesDocument | null} */
   let askedFor = null;
 
-  /** @type {Lane<{fine: boolean}, Outcome>} */
+  /**
+   * `fine` pictures have all pixels of the screen; `coarse` ones do without the refinement on the curves, which a drag cannot wait for.
+   * @type {Lane<{fine: boolean, coarse: boolean}, Outcome>}
+   */
   const lane = new Lane({
-    async work({ fine }, signal) {
+    async work({ fine, coarse }, signal) {
       const { document } = store;
       const started = performance.now();
       const onprogress = (/** @type {number} */ progress) => results.set({ progress });
       const [match, picture] = await Promise.allSettled([
-        results.value.matched === document ? null : kernel.match(document, { signal, onprogress }),
-        kernel.paint(document, options(fine), { signal }),
+        answered(document, coarse) ? null : kernel.match(document, { coarse }, { signal, onprogress }),
+        kernel.paint(document, { ...options(fine), coarse }, { signal }),
       ]);
       const solved = match.status === "fulfilled" && match.value === null ? null : match;
       return {
@@ -59,17 +62,33 @@ export function createPainter(app) {
       }
       if (picture.status === "fulfilled") results.set({ picture: picture.value });
       if (match) {
+        const refined = results.value.matched === document;
         results.set({
           matched: document,
           match: match.status === "fulfilled" ? match.value : null,
           problem: match.status === "rejected" ? problem(match.reason) : null,
-          ms,
+          ms: refined ? results.value.ms : ms,
         });
       }
+      if (!store.running) refine();
     },
     failed: interrupted,
     slow: (slow) => results.set(slow ? { slow } : { slow, progress: 0 }),
   });
+
+  /** Whether the match of a document is there. @param {CurvesDocument} document @param {boolean} coarse */
+  function answered(document, coarse) {
+    const { matched, match } = results.value;
+    return matched === document && (coarse || !match?.coarse);
+  }
+
+  /** Asks for what a drag left out, unless the next picture is asked for anyway. */
+  function refine() {
+    if (!lane.waits && !answered(store.document, false)) lane.push({ fine: false, coarse: false });
+  }
+
+  /** @param {PaintOptions} options */
+  const isFine = ({ pixelRatio = 1 }) => pixelRatio >= (window.devicePixelRatio || 1);
 
   /** @param {unknown} error */
   function interrupted(error) {
@@ -81,7 +100,7 @@ export function createPainter(app) {
 
   /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {
-    const { size, view, layers, theme, s, probe, isoMaterial, composing } = ui.value;
+    const { size, view, layers, theme, s, probe, line, isoMaterial, composing } = ui.value;
     const full = window.devicePixelRatio || 1;
     const moving = Math.min(full, Math.sqrt(MOVING_PIXELS / (size.width * size.height)));
     const most = LARGEST / Math.max(size.width, size.height);
@@ -91,7 +110,7 @@ export function createPainter(app) {
       layers: composing ? layers.filter((name) => name !== "controlPoints") : layers,
       theme,
       s,
-      line: probe?.line ?? null,
+      line: probe?.line ?? line,
       isoMaterial,
     };
   }
@@ -102,11 +121,18 @@ export function createPainter(app) {
     if (!view || size.width < 1 || size.height < 1) return;
     const next = options(false);
     if (!force && askedFor === store.document && asked && same(asked, next)) return;
+    const coarse = !answered(store.document, false);
     asked = next;
     askedFor = store.document;
-    lane.push({ fine: false });
+    lane.push({ fine: false, coarse });
     clearTimeout(idle);
-    if (next.pixelRatio < (window.devicePixelRatio || 1)) idle = setTimeout(() => lane.push({ fine: true }), IDLE);
+    if (coarse || !isFine(next)) idle = setTimeout(rest, IDLE);
+  }
+
+  /** The picture of a page at rest. */
+  function rest() {
+    if (!isFine(options(false))) lane.push({ fine: true, coarse: false });
+    else refine();
   }
 
   return { update, retry: () => update(true), cancel: () => lane.cancel() };

@@ -10,6 +10,8 @@
  * @typedef {import("../../js/directrix.js").Diagnostic} Diagnostic
  * @typedef {import("../../js/directrix.js").LineTotals} Totals
  * @typedef {import("../../js/directrix.js").Probe} Probe
+ * @typedef {import("../../js/directrix.js").Explanation} Explanation
+ * @typedef {import("../../js/directrix.js").Standing} Standing
  * @typedef {import("../../js/directrix.js").Picture} Picture
  * @typedef {import("../../js/directrix.js").PictureOptions} PaintOptions
  * @typedef {import("../../js/directrix.js").View} View
@@ -28,6 +30,8 @@
  *
  * @typedef {Shape & Named} Curve
  *
+ * @typedef {"normals" | "negative" | "heights" | "order" | "stop" | "removal" | "stages"} PrintedRule
+ *
  * @typedef {object} Sampling
  * @property {"arc-length" | "parameter" | "adaptive"} scheme
  * @property {[number, number]} counts
@@ -35,8 +39,17 @@
  * @property {number} [maxTurn]
  * @property {number} [minCount]
  *
+ * @typedef {{u: number, v: number}} Pin Parameters on the two curves as drawn.
+ *
  * @typedef {object} Matching
- * @property {"greedy"} method
+ * @property {"exact" | "greedy" | "one-per-vertex" | "shift" | "parameter"} method
+ * @property {"integral" | "sum" | "sum-less-price"} [objective] of the method `exact`, as the two below
+ * @property {number} [linePrice]
+ * @property {number} [lines] number of one-to-one lines
+ * @property {number | "best"} [shift] of the method `shift`
+ * @property {"strict" | "repair"} [policy]
+ * @property {Pin[]} [pins]
+ * @property {PrintedRule[]} [printed]
  * @property {number} normalWeight
  * @property {number} distanceWeight
  * @property {number} alignmentWeight

@@ -12,11 +12,12 @@ import { toScreen } from "./view.js";
 /** Part of the canvas, from each edge, in which a witness is brought to the middle. */
 const MARGIN = 0.12;
 /** Diagnostics that carry the places of each certificate. */
-const CODES = {
+export const CODES = {
   crossings: ["crossing"],
   blocked: ["blocked"],
   uncovered: ["orphan", "stuck", "disjoint"],
   gaps: ["unverified-gap"],
+  occluded: ["occluded"],
 };
 
 /** @type {{[name: string]: number}} */
@@ -24,7 +25,7 @@ const turn = {};
 
 /**
  * @param {App} app
- * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
+ * @param {keyof typeof CODES} name
  */
 export function nextWitness(app, name) {
   const match = currentMatch(app);
@@ -47,7 +48,7 @@ export function nextWitness(app, name) {
 
 /**
  * @param {Match} match
- * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
+ * @param {keyof typeof CODES} name
  * @returns {Point[]}
  */
 function witnesses(match, name) {

@@ -13,7 +13,7 @@ export function openBlank(app) {
     kind: "curves",
     title: strings.untitled,
     curves: [],
-    matching: { method: app.store.document.matching.method },
+    matching: { method: "exact", oneToOne: true },
   };
   return openDocument(app, raw, strings.commands.new);
 }

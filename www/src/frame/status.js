@@ -10,6 +10,7 @@ import { fixed, milliseconds } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { advice, explain } from "../explain.js";
+import { patch } from "../state/edits.js";
 import { keptGaps, shownTotals } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { nextWitness } from "../witness.js";
@@ -24,7 +25,7 @@ export function createStatus(app) {
       const { match, matched, problem, ms, slow } = app.results.value;
       const { note, drawing } = app.ui.value;
       const fresh = matched === app.store.document;
-      const key = JSON.stringify([match?.totals, match?.ok, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
+      const key = JSON.stringify([match?.totals, match?.ok, match?.gap, match?.coarse, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;
       drawn = key;
       const focused = document.activeElement?.getAttribute("data-certificate");
@@ -62,8 +63,11 @@ function failures(match) {
   const totals = shownTotals(match);
   if (!totals) return 1;
   const { crossings, blocked, uncovered } = totals;
-  return crossings + blocked + uncovered[0].length + uncovered[1].length + keptGaps(match).length;
+  return crossings + blocked + uncovered[0].length + uncovered[1].length + keptGaps(match).length + occluded(match);
 }
+
+/** Lines added by the policy `repair`. @param {Match} match */
+const occluded = ({ diagnostics }) => diagnostics.find(({ code }) => code === "occluded")?.lines?.length ?? 0;
 
 /**
  * @param {App} app
@@ -93,6 +97,7 @@ function certificates(app, match, ms) {
     failure(app, "blocked", words.blocked, totals.blocked, String(totals.blocked)),
     failure(app, "uncovered", words.uncovered, a.length + b.length, open ? `${a.length} + ${b.length}` : "0"),
     gaps > 0 ? failure(app, "gaps", words.gaps, gaps, String(gaps)) : null,
+    occluded(match) > 0 ? failure(app, "occluded", words.occluded, occluded(match), String(occluded(match))) : null,
     ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.ms)),
   ].filter((node) => node !== null);
 }
@@ -100,7 +105,7 @@ function certificates(app, match, ms) {
 /**
  * A count that should be zero: plain when it is, a button that shows the place when it is not.
  * @param {App} app
- * @param {"crossings" | "blocked" | "uncovered" | "gaps"} name
+ * @param {keyof typeof import("../witness.js").CODES} name
  * @param {string} words
  * @param {number} count
  * @param {string} shown
@@ -147,8 +152,30 @@ function remark(app, match, slow) {
     return [text, command("draw", commandText(app, "draw"), () => void runCommand(app, "draw"))];
   }
   const text = advice(match);
-  if (text) return [reason(text)];
-  return app.store.document.matching.method === "greedy" ? [h("span", { class: "warning" }, words.heuristic)] : [];
+  const { matching } = app.store.document;
+  if (text) {
+    const helps = matching.policy !== "repair" && REPAIRABLE.includes(matching.method) && match.diagnostics.some(({ code }) => REPAIRED.includes(code));
+    return [reason(text), ...(helps ? [command("repair", words.repair, () => repair(app))] : [])];
+  }
+  if (match.coarse) return [label(words.refining)];
+  const { gap } = match;
+  const shown = gap === null ? null : gapText(gap);
+  if (matching.method !== "exact") return [h("span", { class: "warning", "data-gap": "" }, words.heuristic(shown))];
+  return shown === null ? [] : [h("span", { "data-gap": "" }, label(words.gap), " ", strong(shown))];
+}
+
+/** Methods that keep to the policy `repair`, and what it repairs. */
+const REPAIRABLE = ["exact", "greedy"];
+const REPAIRED = ["orphan", "jammed", "stuck", "solvable"];
+
+/** Lets occluded lines reach what no other line does. @param {App} app */
+function repair(app) {
+  app.store.commit({ change: (document) => patch(document, "matching", { policy: "repair" }) });
+}
+
+/** A gap in per cent, to a tenth. @param {number} gap */
+function gapText(gap) {
+  return Math.abs(gap) < 5e-4 ? "0" : `${fixed(gap * 100, 1)}\u00a0%`;
 }
 
 /** @param {string} name @param {...Node} parts */

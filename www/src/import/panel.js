@@ -281,9 +281,9 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
   }
 
   async function openNew() {
-    const { matching, unit } = app.store.document;
+    const { unit } = app.store.document;
     const title = name.replace(/\.\w{1,5}$/, "").slice(0, 200) || strings.untitled;
-    const raw = { directrix: 1, kind: "curves", title, unit, curves: curves(), matching: { method: matching.method } };
+    const raw = { directrix: 1, kind: "curves", title, unit, curves: curves(), matching: { method: "exact", oneToOne: true } };
     if (await openDocument(app, raw, name, { edited: true })) {
       panel?.close();
       app.say(words.opened(title));

@@ -38,7 +38,7 @@ const LINE = 16;
 /**
  * @param {App} app
  * @param {ReturnType<typeof import("./handles.js").createHandles>} handles
- * @param {{hover: (at: Point | null) => void, tap: (at: Point) => void}} probe
+ * @param {{hover: (at: Point | null) => void, tap: (at: Point) => void, pick: (at: Point) => void}} probe
  * @param {{show: (at: Point | null) => void}} reading coordinates of the pointer
  */
 export function listenToPointer(app, handles, probe, reading) {
@@ -146,6 +146,7 @@ export function listenToPointer(app, handles, probe, reading) {
     else if (moved) drag = null;
     else if (app.tool && event.button === 0) app.tool.tap(place(event), event);
     else if (kind === "pan" && event.pointerType === "touch") probe.tap(place(event));
+    else if (kind === "pan" && event.button === 0) probe.pick(place(event));
     else if (pressed && !event.shiftKey) app.ui.set({ selection: chosenBy(pressed) });
     finish();
   };

@@ -26,6 +26,8 @@ const NAMED = 3;
 /** Pixels from a curve at which the curve itself is read, and how far into the band its nearest line is looked for. */
 const ON_CURVE = 6;
 const INTO = [1, 3];
+/** Pixels from a line at which a click means it. */
+const ON_LINE = 8;
 /** Milliseconds that the pointer rests before its reading is spoken. */
 const REST = 600;
 
@@ -49,6 +51,8 @@ export function createProbe(app) {
   /** @type {Reading | null} */
   let shown = null;
   let wanted = 0;
+  /** The line tapped last. @type {number | null} */
+  let tapped = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let rest;
 
@@ -130,6 +134,7 @@ export function createProbe(app) {
     const line = probe?.line ?? 0;
     const s = probe?.s ?? 0.5;
     if (event.key === "Escape" && probe) hover(null);
+    else if (event.key === "Enter" && probe) app.ui.set({ line: probe.line });
     else if (event.key === "ArrowRight") void read(probe ? (line + 1) % lines : 0, s);
     else if (event.key === "ArrowLeft") void read(probe ? (line + lines - 1) % lines : 0, s);
     else if (event.key === "ArrowUp") void read(line, Math.min(1, s + ALONG));
@@ -139,10 +144,39 @@ export function createProbe(app) {
   });
   keyboard.addEventListener("blur", () => hover(null));
 
+  /**
+   * The ruling line at a place: one that runs there, else the nearest in the band.
+   * @param {Point} at CSS pixels
+   */
+  async function lineAt(at) {
+    const { view, size } = app.ui.value;
+    if (!view) return null;
+    const { document } = app.store;
+    const aways = shownLines(currentMatch(app)).map(({ from, to }) =>
+      away(at, toScreen(view, size, from), toScreen(view, size, to)),
+    );
+    const nearest = aways.indexOf(Math.min(...aways));
+    if (nearest < 0 || aways[nearest] <= ON_LINE) return nearest < 0 ? null : nearest;
+    const found = await app.kernel.probe(document, toPlane(view, size, at)).catch(() => null);
+    return app.store.document === document ? (found?.line ?? null) : null;
+  }
+
+  /** Explains the line at a place. @param {Point} at CSS pixels */
+  async function pick(at) {
+    const line = await lineAt(at);
+    app.ui.set({ line, ...(line === null ? { pin: null } : {}) });
+  }
+
   return {
     hover,
-    /** @param {Point} at */
-    tap: (at) => hover(at),
+    pick,
+    /** A tap reads a line, a second one explains it. @param {Point} at CSS pixels */
+    async tap(at) {
+      const before = tapped;
+      hover(at);
+      tapped = await lineAt(at);
+      if (tapped !== null && tapped === before) app.ui.set({ line: tapped, probe: null });
+    },
 
     render() {
       const { probe, view, size } = app.ui.value;
@@ -168,6 +202,14 @@ export function createProbe(app) {
 /** @param {Point[]} line @param {number} s @returns {Point} */
 function along([a = [0, 0], b = a], s) {
   return [a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s];
+}
+
+/** Distance of a place from a straight line. @param {Point} at @param {Point} a @param {Point} b */
+function away(at, a, b) {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const share = ((at[0] - a[0]) * dx + (at[1] - a[1]) * dy) / (dx * dx + dy * dy || 1);
+  const [x, y] = along([a, b], Math.min(1, Math.max(0, share)));
+  return Math.hypot(at[0] - x, at[1] - y);
 }
 
 /** The composition in words. @param {App} app @param {Reading} probe */

@@ -23,6 +23,8 @@
  * @property {boolean} unkept the browser's storage did not take the document
  * @property {"light" | "dark"} theme
  * @property {Reading | null} probe
+ * @property {number | null} line the ruling line that is explained
+ * @property {number | null} pin the chosen pin
  * @property {Point | null} witness a place the person asked to see
  * @property {Note | null} note
  * @property {string[]} open names of the open groups

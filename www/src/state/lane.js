@@ -33,6 +33,11 @@ export class Lane {
     return this.#flight !== null;
   }
 
+  /** Whether a job waits for the one that runs. */
+  get waits() {
+    return this.#waiting !== null;
+  }
+
   /** @param {Job} job */
   push(job) {
     this.#waiting = job;
