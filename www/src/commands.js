@@ -70,7 +70,7 @@ function toggleSnap(app) {
   app.say(snap ? words.snapOn : words.snapOff);
 }
 
-/** @param {App} app @param {"figure" | "compare"} mode @param {string} text */
+/** @param {App} app @param {"figure" | "steps" | "compare"} mode @param {string} text */
 function enter(app, mode, text) {
   app.ui.set({ mode });
   app.say(text);
