@@ -8,6 +8,9 @@ const BUDGET = 12;
 /** Functions that do not ask for the solution of a document. */
 const UNSOLVED = new Set(["defaults", "fit", "insertPoint", "readShapes", "fitCurve"]);
 
+/** Functions that ask for the greedy growth, whatever the method of the document. */
+const GREEDY = new Set(["steps", "sets"]);
+
 /** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
 
 const scope = /** @type {any} */ (globalThis);
@@ -69,7 +72,7 @@ async function work() {
 async function solve(dx, { id, name, args }) {
   if (UNSOLVED.has(name)) return { spent: 0 };
   args[0] = toText(args[0]);
-  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : name === "match" ? args[1] : {});
+  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : name === "match" ? args[1] : { greedy: GREEDY.has(name) });
   let spent = 0;
   const step = () => {
     const start = performance.now();

@@ -70,7 +70,7 @@ function toggleSnap(app) {
   app.say(snap ? words.snapOn : words.snapOff);
 }
 
-/** @param {App} app @param {"figure" | "compare"} mode @param {string} text */
+/** @param {App} app @param {"figure" | "steps" | "compare"} mode @param {string} text */
 function enter(app, mode, text) {
   app.ui.set({ mode });
   app.say(text);
@@ -94,6 +94,7 @@ export const COMMANDS = [
   { name: "about", topic: "document", text: words.about, run: async () => (await import("./frame/about.js")).openAbout() },
 
   { name: "mode-figure", topic: "mode", text: words.figure, keys: ["1"], run: (app) => enter(app, "figure", words.figure) },
+  { name: "mode-steps", topic: "mode", text: words.steps, keys: ["2"], run: (app) => enter(app, "steps", words.steps) },
   { name: "mode-compare", topic: "mode", text: words.compare, keys: ["3"], run: (app) => enter(app, "compare", words.compare) },
 
   { name: "fit", topic: "view", text: words.fit, keys: ["F"], run: fit },

@@ -20,6 +20,7 @@ const commands = {
   shortcuts: "Keyboard shortcuts",
   about: "About Directrix",
   figure: "Figure",
+  steps: "Steps of the greedy growth",
   compare: "Compare methods",
   fit: "Fit the figure",
   zoomIn: "Zoom in",

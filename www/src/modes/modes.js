@@ -27,6 +27,7 @@ import { words } from "./words.js";
 /** @type {readonly Mode[]} */
 const MODES = [
   { name: "figure", text: words.figure },
+  { name: "steps", text: words.steps, load: async () => (await import("../steps/steps.js")).createSteps },
   {
     name: "compare",
     text: words.compare,

@@ -2,6 +2,7 @@
 export const words = {
   region: "Modes",
   figure: "Figure",
+  steps: "Steps",
   compare: "Compare",
   failed: (/** @type {string} */ reason) => `That mode could not be loaded: ${reason}.`,
 };
