@@ -93,6 +93,7 @@ export function createPainter(app) {
   /** @param {unknown} error */
   function interrupted(error) {
     const { name, code, message } = problem(error);
+    if (name === "AbortError" && ui.value.mode === "compare") return;
     if (name === "AbortError") ui.set({ note: { tone: "plain", text: strings.status.cancelled } });
     else if (code === "trap") ui.set({ note: { tone: "error", text: strings.errors.trap } });
     else ui.set({ note: { tone: "error", text: message } });
@@ -118,8 +119,13 @@ export function createPainter(app) {
   /** @param {boolean} [force] */
   function update(force = false) {
     const { mode, view, size } = ui.value;
-    // The comparison has pictures of its own.
-    if (mode === "compare") return clearTimeout(idle);
+    if (mode === "compare") {
+      // It has pictures of its own, and the worker to itself.
+      clearTimeout(idle);
+      askedFor = null;
+      lane.cancel();
+      return;
+    }
     if (!view || size.width < 1 || size.height < 1) return;
     const next = options(false);
     if (!force && askedFor === store.document && asked && same(asked, next)) return;

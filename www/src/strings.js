@@ -164,15 +164,6 @@ export const strings = {
     scaled: (/** @type {string} */ x, /** @type {string} */ y) => (x === y ? `Scaled to ${x}` : `Scaled to ${x} across, ${y} up`),
   },
 
-  about: {
-    heading: "About Directrix",
-    version: (/** @type {string} */ version) => `Version ${version}`,
-    line: "Matching of closed curves, morphs and material blends. Nothing leaves your machine.",
-    own: "Directrix itself: MIT or Apache-2.0, at your choice.",
-    parts: "What it is made of",
-    loading: "Reading the licences",
-    missing: "The licences are collected when the page is built; this is a development server.",
-  },
   workbench: "Curves",
   untitled: "Untitled",
 
@@ -218,27 +209,6 @@ export const strings = {
       name === "QuotaExceededError"
         ? "This browser has no room left to keep the document. Save it to a file."
         : "This browser does not keep the document here. Save it to a file.",
-  },
-
-  recent: {
-    heading: "Recent documents",
-    deleted: "Deleted",
-    empty: "Nothing yet. A document is listed here once it is edited, saved or opened from a file.",
-    where:
-      "Documents are kept by this browser on this machine, and nowhere else. Deleted ones stay for 30 days, at most 20 of them.",
-    here: "open here",
-    elsewhere: "open in another tab",
-    noFile: "not in a file",
-    versionsOf: (/** @type {string} */ title) => `Earlier versions of ${title}`,
-    kinds: { saved: "as saved", kept: "before later edits" },
-    delete: (/** @type {string} */ title) => `Delete ${title}`,
-    gone: (/** @type {string} */ title) => `Deleted ${title}`,
-    undo: "Undo",
-    since: (/** @type {string} */ when) => `deleted ${when}`,
-    restore: "Restore",
-    restored: (/** @type {string} */ title) => `Restored ${title}`,
-    erase: "Delete for good",
-    erased: (/** @type {string} */ title) => `Deleted ${title} for good`,
   },
 
   exports: {

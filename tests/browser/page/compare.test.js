@@ -313,16 +313,15 @@ test("the comparison follows undo, redo, presets and the theme, and the last one
 test("every time is a median of runs in the worker, and all of them together stand in the status line", async (t) => {
   const page = await openPage(t);
   await compare(page);
-  await eventually(async () =>
-    assert.match(await page.locator("table[data-measures=time] thead").innerText(), /ms, median of [35]/),
-  );
-  const times = await Promise.all(NAMES.map(async (name) => Number(await cell(page, "time", name))));
-  assert.ok(times.every((each) => each > 0), `${times}`);
-  const sum = times.reduce((total, each) => total + each, 0);
-  const shown = Number(/(\d+)\s*ms in all/.exec((await status(page)).replace(/\s+/g, " "))?.[1]);
-  assert.ok(Math.abs(shown - sum) <= 1, `${shown} for ${times}`);
-  const [exact, parameter] = [times[5], times[0]];
-  assert.ok(exact > parameter, "the refined optimum takes longer than counting samples");
+  await eventually(async () => {
+    assert.match(await page.locator("table[data-measures=time] thead").innerText(), /ms, median of (5|3 to 5)/);
+    const times = await Promise.all(NAMES.map(async (name) => Number(await cell(page, "time", name))));
+    assert.ok(times.every((each) => each > 0), `${times}`);
+    const sum = times.reduce((total, each) => total + each, 0);
+    const shown = Number(/(\d+)\s*ms in all/.exec((await status(page)).replace(/\s+/g, " "))?.[1]);
+    assert.ok(Math.abs(shown - sum) <= 1, `${shown} for ${times}`);
+    assert.ok(times[5] > times[0], "the refined optimum takes longer than counting samples");
+  });
 });
 
 test("curves that cannot be matched, or are not there, are said so", async (t) => {

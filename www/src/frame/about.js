@@ -4,11 +4,10 @@
  * @typedef {{name: string, version: string, licence: string, text: string}} Part
  */
 import { h } from "../dom.js";
-import { strings } from "../strings.js";
+import { words } from "./about-words.js";
 import { openPanel } from "./panel.js";
 
 export async function openAbout() {
-  const words = strings.about;
   const parts = h("div", { class: "licences", "aria-busy": "true" }, h("p", { class: "note" }, words.loading));
   const shown = openPanel({
     name: "about",

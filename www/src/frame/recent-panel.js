@@ -12,9 +12,8 @@ import { openKept, openVersion } from "../storage/reopen.js";
 import { erase, list, remove, restore } from "../storage/shelf.js";
 import { strings } from "../strings.js";
 import { openPanel } from "./panel.js";
+import { words } from "./recent-words.js";
 import { moment, when } from "./when.js";
-
-const words = strings.recent;
 
 /** @param {App} app */
 export async function showRecent(app) {
