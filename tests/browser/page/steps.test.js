@@ -233,9 +233,9 @@ test("the steps follow the document: its method, its curves, undo, and a reload"
   await page.waitForSelector(".steps-transport");
   await page.locator("[data-segment=mode] input[value=figure]").check({ force: true });
   await page.locator("[data-handle=A1]").focus();
-  for (let k = 0; k < 5; k++) await page.keyboard.press("Shift+ArrowRight");
+  for (let k = 0; k < 5; k++) await page.keyboard.press("ArrowRight");
   const moved = dx.steps(await documentOf(page));
-  assert.notEqual(moved.growth[0].value, steps.growth[0].value);
+  assert.notDeepEqual(moved.growth, steps.growth);
   await openSteps(page);
   await scrub(page, 1);
   const sum = page.locator("[data-fact=best] .strong");
