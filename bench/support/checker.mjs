@@ -17,7 +17,7 @@
 /** Places, at least, at which J is taken. */
 const midpoints = 8000;
 /** Places on each curve at which the bound of J is taken. */
-const boundPlaces = 600;
+const boundPlaces = 400;
 /** Partners that are looked at for each of them, before the best is refined. */
 const boundPartners = 400;
 
@@ -80,27 +80,40 @@ function distanceFrom(a, b, p) {
 export function isCut([a, b], polygon, hair) {
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
   const [dx, dy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
-  const isBeyond = (/** @type {number} */ along) => along <= hair || along >= length - hair;
+  const [first, last] = [hair, length - hair];
   // On which side the polygon was last seen, if it has been beside the segment ever since.
   let side = 0;
   let [along, off] = [0, 0];
   // A second lap, for what passes through the first vertex.
   for (let k = 0; k <= 2 * polygon.length; k++) {
-    const [x, y] = polygon[k % polygon.length];
-    const [before, offBefore] = [along, off];
-    along = dx * (x - a[0]) + dy * (y - a[1]);
-    off = dx * (y - a[1]) - dy * (x - a[0]);
-    if (k > 0 && offBefore * off < 0) {
-      const last = Math.abs(offBefore) > hair ? Math.sign(offBefore) : side;
-      if (isBeyond(before + ((along - before) * offBefore) / (offBefore - off))) side = 0;
-      else if (last * off < 0 && Math.abs(off) > hair) return true;
-    }
-    if (isBeyond(along)) side = 0;
-    else if (Math.abs(off) > hair) {
-      if (side * off < 0) return true;
-      side = Math.sign(off);
-    }
+    const point = polygon[k % polygon.length];
+    const alongBefore = along;
+    const offBefore = off;
+    along = dx * (point[0] - a[0]) + dy * (point[1] - a[1]);
+    off = dx * (point[1] - a[1]) - dy * (point[0] - a[0]);
+    if (k === 0) continue;
     if (k > polygon.length && side === 0) return false;
+    if ((along <= first && alongBefore <= first) || (along >= last && alongBefore >= last)) {
+      side = 0;
+      continue;
+    }
+    // The part of the edge that is beside the segment.
+    const [s, t] = [(first - alongBefore) / (along - alongBefore), (last - alongBefore) / (along - alongBefore)];
+    const isWhole = along > first && along < last && alongBefore > first && alongBefore < last;
+    const from = isWhole ? 0 : Math.max(0, Math.min(s, t));
+    const to = isWhole ? 1 : Math.min(1, Math.max(s, t));
+    if (from > 0) side = 0;
+    const start = offBefore + from * (off - offBefore);
+    const end = offBefore + to * (off - offBefore);
+    if (Math.abs(start) > hair) {
+      if (side * start < 0) return true;
+      side = Math.sign(start);
+    }
+    if (Math.abs(end) > hair) {
+      if (side * end < 0) return true;
+      side = Math.sign(end);
+    }
+    if (to < 1) side = 0;
   }
   return false;
 }
@@ -156,7 +169,7 @@ export function integral(curves, places, weights) {
  * @param {number} hair
  */
 export function bound(curves, weights, hair) {
-  const polygons = curves.map((curve) => curve.polygon());
+  const polygons = curves.map((curve) => curve.polygon);
   return [0, 1].reduce((sum, axis) => {
     const partners = Array.from({ length: boundPartners }, (_, k) => curves[1 - axis].at(k / boundPartners));
     for (let i = 0; i < boundPlaces; i++) {

@@ -45,7 +45,7 @@ export function compare(dx, document, runs) {
   /** @type {[ClosedCurve, ClosedCurve]} */
   const curves = [first, second];
   const weights = weightsOf(document);
-  const polygons = curves.map((curve) => curve.polygon());
+  const polygons = curves.map((curve) => curve.polygon);
   const depth = hair * diagonal(polygons.flat());
   const best = bound(curves, weights, depth);
   const samples = /** @type {[Sampled, Sampled]} */ (curves.map((curve, axis) => sampled(curve, document, axis)));

@@ -19,6 +19,7 @@ export class ClosedCurve {
     this.knots = allKnots(spec);
     this.low = this.knots[this.degree];
     this.high = this.knots[this.control.length];
+    this.scratch = [new Float64Array(spec.degree + 1), new Float64Array(spec.degree + 1)];
     this.isReversed = false;
     const spans = [...new Set(this.knots)].filter((u) => u >= this.low && u <= this.high);
     const cuts = Math.ceil(leastPieces / (spans.length - 1));
@@ -29,6 +30,8 @@ export class ClosedCurve {
     this.parameters.push(this.high);
     this.isReversed = polygonArea(this.parameters.map((u) => this.evaluate(u).point)) < 0;
     if (this.isReversed) this.parameters = this.parameters.map((u) => this.low + this.high - u).reverse();
+    /** A fine polygon, by the same parameters without the last. */
+    this.polygon = this.parameters.slice(0, -1).map((u) => this.evaluate(u).point);
     /** Arc length from the start to each of the parameters. */
     this.lengths = [0];
     this.parameters.slice(1).forEach((u, k) => {
@@ -55,23 +58,31 @@ export class ClosedCurve {
     const period = this.high - this.low;
     const wrapped = parameter - Math.floor((parameter - this.low) / period) * period;
     const u = this.isReversed ? this.low + this.high - wrapped : wrapped;
-    let span = p;
-    while (span + 1 < this.control.length && knots[span + 1] <= u) span++;
-    const d = Array.from({ length: p + 1 }, (_, j) => this.control[span - p + j]);
-    /** @type {Point} */
-    let derivative = [0, 0];
+    let [span, beyond] = [p, this.control.length];
+    while (beyond - span > 1) {
+      const middle = (span + beyond) >> 1;
+      if (knots[middle] <= u) span = middle;
+      else beyond = middle;
+    }
+    // The end of the domain belongs to the last span of any length.
+    while (knots[span] === knots[span + 1]) span--;
+    const [x, y] = this.scratch;
+    for (let j = 0; j <= p; j++) [x[j], y[j]] = this.control[span - p + j];
+    let [dx, dy] = [0, 0];
     for (let r = 1; r <= p; r++) {
       if (r === p) {
         const scale = (this.isReversed ? -p : p) / (knots[span + 1] - knots[span]);
-        derivative = [scale * (d[p][0] - d[p - 1][0]), scale * (d[p][1] - d[p - 1][1])];
+        dx = scale * (x[p] - x[p - 1]);
+        dy = scale * (y[p] - y[p - 1]);
       }
       for (let j = p; j >= r; j--) {
         const i = span - p + j;
         const t = (u - knots[i]) / (knots[i + p - r + 1] - knots[i]);
-        d[j] = [(1 - t) * d[j - 1][0] + t * d[j][0], (1 - t) * d[j - 1][1] + t * d[j][1]];
+        x[j] = (1 - t) * x[j - 1] + t * x[j];
+        y[j] = (1 - t) * y[j - 1] + t * y[j];
       }
     }
-    return { point: d[p], derivative };
+    return { point: [x[p], y[p]], derivative: [dx, dy] };
   }
 
   /**
@@ -98,15 +109,6 @@ export class ClosedCurve {
     const laps = Math.floor((parameter - this.low) / (this.high - this.low));
     const within = parameter - laps * (this.high - this.low);
     return laps + interpolate(this.parameters, this.lengths, within) / this.length;
-  }
-
-  /**
-   * A fine polygon: the vertices by which the length is measured.
-   *
-   * @returns {Point[]}
-   */
-  polygon() {
-    return this.parameters.slice(0, -1).map((u) => this.evaluate(u).point);
   }
 
   /**

@@ -1,5 +1,4 @@
 /** Other ways to pair two closed curves, as they are found outside: what they make of the same samples. */
-// @ts-expect-error The package comes without types.
 import flubber from "flubber";
 import { polygonArea } from "./curve.mjs";
 

@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { compare, isFeasible, methods } from "../support/compare.mjs";
 
 /**
- * @import { CurvesDocument, Directrix } from "../../js/directrix.js"
+ * @import { Directrix } from "../../js/directrix.js"
  * @import { Rating } from "../support/compare.mjs"
  */
 

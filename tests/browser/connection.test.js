@@ -66,7 +66,7 @@ test("a call tells how long it was solved, and that a remembered document is not
         const ask = async (/** @type {string} */ text) => {
           const start = performance.now();
           let spent = -1;
-          await dx.match(text, { onsolved: (/** @type {number} */ milliseconds) => (spent = milliseconds) });
+          await dx.match(text, {}, { onsolved: (/** @type {number} */ milliseconds) => (spent = milliseconds) });
           calls.push({ spent, all: performance.now() - start });
         };
         await ask(many);

@@ -45,7 +45,7 @@ export function createBars(place) {
   const tables = TABLES.map(createTable);
   const note = h("p", { class: "bars-note" }, words.note);
   place.append(
-    h("div", { class: "bars", role: "group", "aria-label": words.bars }, ...tables.map(({ element }) => element), note),
+    h("div", { class: "bars", tabIndex: 0, role: "group", "aria-label": words.bars }, ...tables.map(({ element }) => element), note),
   );
   return {
     /**

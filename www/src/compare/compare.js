@@ -29,6 +29,8 @@ import { words } from "./words.js";
 const MARGIN = 14;
 /** Device pixels for one of the screen at most: six pictures are painted for every edit. */
 const SHARPEST = 2;
+/** Of a picture that is not there yet. @type {Size} */
+const NO_ROOM = { width: 0, height: 0 };
 /** What the small pictures show. */
 const LAYERS = /** @type {const} */ (["material", "rulingLines", "unconnected"]);
 
@@ -83,11 +85,11 @@ export function createCompare(app, { stage, aside, status }) {
   const observer = new ResizeObserver(() => ask());
   observer.observe(grid);
 
-  /** The room of each small picture. @returns {Size} */
-  function room() {
-    const { clientWidth: width, clientHeight: height } = pictures[0].plot;
-    return { width, height };
-  }
+  /** The room that every small picture has. @returns {Size} */
+  const room = () => ({
+    width: Math.min(...pictures.map(({ plot }) => plot.clientWidth)),
+    height: Math.min(...pictures.map(({ plot }) => plot.clientHeight)),
+  });
 
   /** Asks for everything that has changed. @param {boolean} [force] */
   function ask(force = false) {
@@ -98,7 +100,7 @@ export function createCompare(app, { stage, aside, status }) {
     aside.hidden = !two;
     if (!two) {
       askedFor = null;
-      runner.cancel();
+      runner.close();
       return;
     }
     const size = room();
@@ -120,7 +122,7 @@ export function createCompare(app, { stage, aside, status }) {
       at = null;
     }
     [asked, askedFor] = [key, document];
-    runner.push({ document, options });
+    runner.push({ document, options, size });
   }
 
   function draw() {
@@ -129,7 +131,7 @@ export function createCompare(app, { stage, aside, status }) {
     pictures.forEach((picture, i) => {
       const result = results[i];
       picture.describe(textsOf(document, METHODS[i].name, result, i === chosen), i === chosen);
-      picture.paint(result?.picture ?? null);
+      picture.paint(result?.picture ?? null, result?.size ?? NO_ROOM);
       picture.element.tabIndex = i === here ? 0 : -1;
     });
     light();
@@ -139,10 +141,10 @@ export function createCompare(app, { stage, aside, status }) {
 
   function light() {
     pictures.forEach((picture, i) => {
-      const { match = null, picture: painted = null } = results[i] ?? {};
+      const { match = null, picture: painted = null, size = NO_ROOM } = results[i] ?? {};
       const lines = shownLines(match);
       const line = at ? nearestLine(lines, at) : -1;
-      if (painted) picture.light(lines[line] ?? null, painted.view, room());
+      if (painted) picture.light(lines[line] ?? null, painted.view, size);
     });
   }
 
@@ -150,10 +152,10 @@ export function createCompare(app, { stage, aside, status }) {
   function under(event) {
     const element = event.target instanceof Element ? event.target.closest("[data-method]") : null;
     const i = pictures.findIndex((picture) => picture.element === element);
-    const painted = results[i]?.picture;
-    if (!painted) return null;
-    const box = pictures[i].plot.getBoundingClientRect();
-    return toPlane(painted.view, room(), [event.clientX - box.left, event.clientY - box.top]);
+    const result = results[i];
+    if (!result?.picture) return null;
+    const box = pictures[i].frame.getBoundingClientRect();
+    return toPlane(result.picture.view, result.size, [event.clientX - box.left, event.clientY - box.top]);
   }
 
   grid.addEventListener("pointermove", (event) => {
@@ -228,7 +230,7 @@ export function createCompare(app, { stage, aside, status }) {
     },
     close() {
       observer.disconnect();
-      runner.cancel();
+      runner.close();
     },
   };
 }
@@ -278,11 +280,11 @@ function viewOf(document, { width, height }) {
 function textsOf(document, method, result, chosen) {
   const { name, line } = words.methods[method];
   const mark = chosen ? words.current : "";
-  if (!result) return { name, line: [line], failed: false, eta: [], spoken: words.spokenPicture([name, line, mark]) };
+  if (!result) return { name, line: [line], failed: false, eta: [], spoken: mark };
   const { match, problem, quality } = result;
   if (!match) {
     const text = problem ? explain(document, problem) : words.none;
-    return { name, line: [text], failed: true, eta: [], spoken: words.spokenPicture([name, text, mark]) };
+    return { name, line: [text], failed: true, eta: [], spoken: mark };
   }
   const { feasible, crossings, blocked, uncovered, occluded } = faultsOf(match);
   const eta = quality.eta === null ? [] : [symbol("η"), ` ${fixed(quality.eta, 3)}`];
@@ -297,16 +299,9 @@ function textsOf(document, method, result, chosen) {
     : faults.length === 0
       ? (advice(match) ?? words.noBlend([words.none]))
       : words.noBlend(faults);
-  const { plain, nodes } = wrong === null ? lineOf(document, method, result) : { plain: wrong, nodes: [wrong] };
-  const count = shownLines(match).length;
-  const spoken = words.spokenPicture([
-    name,
-    feasible ? "" : words.infeasible,
-    plain,
-    quality.eta === null ? "" : `eta ${fixed(quality.eta, 3)}`,
-    words.spokenCount(count),
-    mark,
-  ]);
+  const nodes = wrong === null ? lineOf(document, method, result) : [wrong];
+  const count = words.spokenCount(shownLines(match).length);
+  const spoken = words.spokenPicture([feasible ? "" : words.infeasible, count, mark]);
   return { name, line: nodes, failed: !feasible, eta, spoken };
 }
 
@@ -315,7 +310,7 @@ function textsOf(document, method, result, chosen) {
  * @param {CurvesDocument} document
  * @param {string} method
  * @param {Result} result
- * @returns {{plain: string, nodes: (Node | string)[]}}
+ * @returns {(Node | string)[]}
  */
 function lineOf({ matching }, method, { match }) {
   const { line } = words.methods[method];
@@ -324,9 +319,7 @@ function lineOf({ matching }, method, { match }) {
   const [first] = match?.lines ?? [];
   if (method === "shift" && match && first) {
     const count = match.samples[1].points.length;
-    const text = words.shifted((first.to - first.from + count) % count) + after;
-    return { plain: text, nodes: [text] };
+    return [words.shifted((first.to - first.from + count) % count) + after];
   }
-  if (method === "exact") return { plain: `${line} J${after}`, nodes: [`${line} `, symbol("J"), after] };
-  return { plain: line + after, nodes: [line + after] };
+  return method === "exact" ? [`${line} `, symbol("J"), after] : [line + after];
 }

@@ -17,7 +17,7 @@ const RING = 3.5;
  * @property {(Node | string)[]} line what the method does, or what is wrong with the result
  * @property {boolean} failed
  * @property {(Node | string)[]} eta
- * @property {string} spoken
+ * @property {string} spoken what is read after all that
  */
 
 /** @param {string} method */
@@ -30,12 +30,15 @@ export function createPicture(method) {
   const core = svg("path", { class: "lit-core" });
   const ends = [0, 1].map(() => svg("circle", { r: RING, class: "probe-ring" }));
   const marks = svg("svg", { class: "marks", "aria-hidden": "true" }, halo, core, ...ends);
-  const plot = h("span", { class: "method-plot" }, canvas, /** @type {any} */ (marks));
+  const frame = h("span", { class: "method-frame" }, canvas, /** @type {any} */ (marks));
+  const plot = h("span", { class: "method-plot" }, frame);
+  const spoken = h("span", { class: "spoken" });
   const element = h(
     "button",
     { type: "button", class: "method", tabIndex: -1, "data-method": method },
-    h("span", { class: "method-head" }, name, eta),
+    h("span", { class: "method-head" }, name, " ", eta),
     line,
+    spoken,
     plot,
   );
   /** @type {Result["picture"]} */
@@ -44,6 +47,7 @@ export function createPicture(method) {
   return {
     element,
     plot,
+    frame,
 
     /** @param {Texts} texts @param {boolean} chosen */
     describe(texts, chosen) {
@@ -51,14 +55,20 @@ export function createPicture(method) {
       eta.replaceChildren(...texts.eta);
       line.replaceChildren(...texts.line);
       line.classList.toggle("failed", texts.failed);
-      attribute(element, "aria-label", texts.spoken);
+      write(spoken, texts.spoken);
       attribute(element, "aria-current", chosen ? "true" : null);
     },
 
-    /** @param {Result["picture"]} picture */
-    paint(picture) {
-      if (picture === drawn || !picture) return;
+    /** @param {Result["picture"]} picture @param {Size} size */
+    paint(picture, size) {
+      frame.style.width = `${size.width}px`;
+      frame.style.height = `${size.height}px`;
+      if (picture === drawn) return;
       drawn = picture;
+      if (!picture) {
+        canvas.width = 0;
+        return;
+      }
       canvas.width = picture.width;
       canvas.height = picture.height;
       canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);

@@ -3,7 +3,7 @@
  * under way for an older one stops at the next method.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument, Match, PaintOptions, Picture, Problem } from "../types.js"
+ * @import { CurvesDocument, Match, PaintOptions, Picture, Problem, Size } from "../types.js"
  *
  * @typedef {object} Result
  * @property {CurvesDocument} document that was asked for, with its own method
@@ -11,11 +11,13 @@
  * @property {ReturnType<typeof qualityOf>} quality
  * @property {Problem | null} problem why there is no match
  * @property {Picture | null} picture
+ * @property {Size} size of the picture on the screen
  * @property {number[]} times milliseconds that solving took in the worker, once for each run
  *
  * @typedef {object} Job
  * @property {CurvesDocument} document
  * @property {PaintOptions} options
+ * @property {Size} size
  */
 import { problem } from "../painter.js";
 import { Lane } from "../state/lane.js";
@@ -33,7 +35,8 @@ const NO_QUALITY = { eta: null, integral: null, bound: null };
  * @param {App} app
  * @param {object} listeners
  * @param {(results: (Result | null)[]) => void} listeners.changed
- * @param {(error: Problem) => void} listeners.interrupted the person cancelled, or the module stopped
+ * @param {(error: Problem) => void} listeners.interrupted the person cancelled, or the module stopped; what stood for an
+ *   older document is gone then
  */
 export function createRunner(app, { changed, interrupted }) {
   const { kernel } = app;
@@ -50,9 +53,10 @@ export function createRunner(app, { changed, interrupted }) {
       for (const i of METHODS.keys()) {
         if (newest !== job) return;
         const result = await run(job, i, signal);
-        if (newest !== job) return;
+        if (!newest || !hasSameLines(newest.document, job.document)) return;
         put(i, result);
         changed(results);
+        if (newest !== job) return;
         app.results.set({ progress: (i + 1) / METHODS.length });
       }
       isSolving = false;
@@ -60,17 +64,23 @@ export function createRunner(app, { changed, interrupted }) {
       await time(job, signal);
     },
     done() {},
-    failed: (error) => interrupted(problem(error)),
+    failed(error) {
+      if (!newest) return;
+      const { document } = newest;
+      results = results.map((result) => (result && hasSameLines(result.document, document) ? result : null));
+      changed(results);
+      interrupted(problem(error));
+    },
     slow: (slow) => app.results.set(slow && isSolving ? { slow } : { slow: false, progress: 0 }),
   });
 
   /** @param {Job} job @param {number} i @param {AbortSignal} signal @returns {Promise<Result>} */
-  async function run({ document, options }, i, signal) {
+  async function run({ document, options, size }, i, signal) {
     const own = withMethod(document, METHODS[i]);
     const before = results[i];
     const known = before && hasSameLines(before.document, document) ? before : await solved(own, i, signal);
     const picture = await kernel.paint(own, options, { signal });
-    return { ...known, document, picture };
+    return { ...known, document, picture, size };
   }
 
   /** @param {number} i @param {Result} result */
@@ -78,21 +88,21 @@ export function createRunner(app, { changed, interrupted }) {
     results = results.map((each, k) => (k === i ? result : each));
   }
 
-  /** @param {CurvesDocument} document @param {number} i @param {AbortSignal} signal @returns {Promise<Omit<Result, "document">>} */
+  /** @param {CurvesDocument} document @param {number} i @param {AbortSignal} signal @returns {Promise<Pick<Result, "match" | "quality" | "problem" | "times">>} */
   async function solved(document, i, signal) {
     const onprogress = (/** @type {number} */ share) => app.results.set({ progress: (i + share) / METHODS.length });
     /** @type {number[]} */
     const times = [];
     try {
       const onsolved = (/** @type {number} */ spent) => times.push(spent);
-      const match = await kernel.match(document, { signal, onprogress, onsolved });
+      const match = await kernel.match(document, {}, { signal, onprogress, onsolved });
       const like = measured(document);
-      const quality = qualityOf(like === document ? match : await kernel.match(like, { signal }));
-      return { match, quality, problem: null, picture: null, times };
+      const quality = qualityOf(like === document ? match : await kernel.match(like, {}, { signal }));
+      return { match, quality, problem: null, times };
     } catch (error) {
       const reason = problem(error);
       if (reason.name === "AbortError" || reason.code === "trap") throw error;
-      return { match: null, quality: NO_QUALITY, problem: reason, picture: null, times };
+      return { match: null, quality: NO_QUALITY, problem: reason, times };
     }
   }
 
@@ -108,7 +118,7 @@ export function createRunner(app, { changed, interrupted }) {
         const result = results[i];
         if (newest !== job) return;
         if (!result?.match || result.times.length >= runsFor(Math.min(...result.times))) continue;
-        await kernel.match(text + " ".repeat(turn), {
+        await kernel.match(text + " ".repeat(turn), {}, {
           signal,
           onsolved: (spent) => {
             put(i, { ...result, times: [...result.times, spent] });
@@ -125,7 +135,10 @@ export function createRunner(app, { changed, interrupted }) {
       newest = job;
       lane.push(job);
     },
-    cancel() {
+    /** Gives up for the person, who is told. */
+    cancel: () => lane.cancel(),
+    /** Gives up for good. */
+    close() {
       newest = null;
       lane.cancel();
       app.results.set({ slow: false, progress: 0 });

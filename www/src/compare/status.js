@@ -36,7 +36,7 @@ export function renderStatus(app, element, { results, cancel, retry }) {
         item("methods", strong(String(METHODS.length)), label(words.methodCount(METHODS.length).text)),
         item("sampling", label(words.sampling), strong(samples(app, done))),
         item("weights", label(words.weights), strong(weights(app))),
-        whole ? best(rated) : label(strings.status.loading),
+        whole ? best(rated) : app.ui.value.note ? null : label(strings.status.loading),
         whole ? item("ms", strong(milliseconds(done.reduce((sum, { times }) => sum + (median(times) ?? 0), 0))), label(words.inAll)) : null,
       ].filter((node) => node !== null);
   const verdict = !whole ? "none" : refused ? "error" : failing > 0 ? "problems" : "verified";

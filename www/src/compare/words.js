@@ -34,7 +34,7 @@ export const words = {
   current: "chosen in this document",
   needsTwo: "A comparison of methods needs two curves.",
 
-  spokenPicture: (/** @type {string[]} */ parts) => parts.filter(Boolean).join(", "),
+  spokenPicture: (/** @type {string[]} */ parts) => `, ${parts.filter(Boolean).join(", ")}`,
   spokenLine: (/** @type {string} */ method, /** @type {number} */ line, /** @type {number} */ of, /** @type {string} */ value) =>
     `${method}: line ${line} of ${of}, f ${value}`,
   spokenCount: (/** @type {number} */ count) => plural(count, "line", "lines"),

@@ -53,7 +53,8 @@ export function createModes(app) {
   let view = null;
 
   /** @param {Mode} mode */
-  async function enter({ name, text, load }) {
+  async function enter({ name, load }) {
+    const held = stage.contains(document.activeElement) || aside.contains(document.activeElement);
     shown = name;
     view?.close();
     view = null;
@@ -63,7 +64,7 @@ export function createModes(app) {
     document.documentElement.dataset.mode = name;
     ui.set({ playing: false, probe: null });
     control.set(name);
-    app.say(text);
+    if (held) /** @type {HTMLElement | null} */ (element.querySelector("input:checked"))?.focus();
     if (!load) return;
     find("#status").replaceChildren();
     try {
