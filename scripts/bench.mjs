@@ -1,7 +1,7 @@
 /**
- * `npm run bench`: measures the cases of `bench/*.mjs` with the optimised WebAssembly module in Node and prints one table.
- * `npm run bench -- TEXT` measures the cases whose name holds the text. A budget that is missed is shown, and fails nothing:
- * timings depend on what else the machine does.
+ * `npm run bench`: measures the cases of `bench/*.mjs` with the optimised WebAssembly module in Node and prints one table, then
+ * those of `bench/tables`. `npm run bench -- TEXT` takes the cases and tables whose name holds the text. A budget that is missed
+ * is shown, and fails nothing: timings depend on what else the machine does.
  */
 import { readdir } from "node:fs/promises";
 import { cpus } from "node:os";
@@ -12,7 +12,13 @@ import { moduleSteps } from "./lib/modules.mjs";
 import { root } from "./lib/paths.mjs";
 import { build } from "./lib/steps.mjs";
 
-/** @typedef {import("./lib/bench.mjs").Case} Case */
+/**
+ * @typedef {import("./lib/bench.mjs").Case} Case
+ *
+ * @typedef {object} Table
+ * @property {string} name
+ * @property {(dx: any) => AsyncIterable<string>} table takes the API of the module `figure` in Node and gives lines of Markdown
+ */
 
 /**
  * The default export of a file.
@@ -24,21 +30,37 @@ const imported = (path) => import(pathToFileURL(join(root, path)).href);
 /** @param {string[]} cells */
 const row = (cells) => `| ${cells.join(" | ")} |`;
 
+/**
+ * The modules of a folder.
+ *
+ * @param {string} folder
+ */
+async function modulesIn(folder) {
+  const files = (await readdir(join(root, folder))).filter((file) => file.endsWith(".mjs")).sort();
+  return Promise.all(files.map((file) => imported(`${folder}/${file}`)));
+}
+
 async function bench() {
-  const files = (await readdir(join(root, "bench"))).filter((file) => file.endsWith(".mjs")).sort();
-  const all = await Promise.all(files.map(async (file) => /** @type {Case[]} */ ((await imported(`bench/${file}`)).default)));
   const text = process.argv[2] ?? "";
-  const cases = all.flat().filter((each) => each.name.includes(text));
+  const isMeant = (/** @type {{name: string}} */ { name }) => name.includes(text);
+  const cases = (await modulesIn("bench")).flatMap((module) => /** @type {Case[]} */ (module.default)).filter(isMeant);
+  const tables = /** @type {Table[]} */ (await modulesIn("bench/tables")).filter(isMeant);
   const dx = await (await imported("js/node.js")).load({ module: "figure" });
 
   const [cpu] = cpus();
   console.log(`${new Date().toISOString().slice(0, 10)}, ${cpu.model}, ${cpus().length} cores, Node ${process.versions.node}, wasm32 with SIMD`);
-  console.log(row(["case", "median ms", "p90 ms", "budget ms", "runs", "verdict"]));
-  console.log(row(["---", "---:", "---:", "---:", "---:", "---"]));
+  if (cases.length > 0) {
+    console.log(row(["case", "median ms", "p90 ms", "budget ms", "runs", "verdict"]));
+    console.log(row(["---", "---:", "---:", "---:", "---:", "---"]));
+  }
   for (const { name, budget, prepare } of cases) {
     const { median, p90, runs } = measure(await prepare(dx));
     const verdict = budget === undefined ? "" : median <= budget ? "within" : "OVER";
     console.log(row([name, median.toFixed(2), p90.toFixed(2), `${budget ?? ""}`, `${runs}`, verdict]));
+  }
+  for (const { name, table } of tables) {
+    console.log(`\n${name}:\n`);
+    for await (const line of table(dx)) console.log(line);
   }
 }
 

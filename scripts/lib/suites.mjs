@@ -9,8 +9,11 @@ import { compiler, forWasm } from "./rust.mjs";
 
 /** @typedef {import("./steps.mjs").Step} Step */
 
-/** Seconds that one test may take, the slow start of a browser on a busy machine included. */
-const testLimit = 120;
+/** Seconds that one test file may take, the slow start of a browser on a busy machine included. */
+const testLimit = 240;
+
+/** Test files that run at once: much of a browser test is waiting. */
+const filesAtOnce = 2;
 
 /** The lane of everything that cargo does in `target/debug`. */
 const host = "host";
@@ -58,7 +61,10 @@ const node = (step, folder, env) => ({
     const entries = await readdir(join(root, folder), { recursive: true });
     const files = entries.filter((path) => path.endsWith(".test.js")).map((path) => join(folder, path));
     if (files.length === 0) throw new CommandError(`no test in ${folder}`);
-    const options = ["--test", "--test-reporter=spec", `--test-timeout=${testLimit * 1000}`, "--test-force-exit"];
+    const options = [
+      ...["--test", "--test-reporter=spec", `--test-timeout=${testLimit * 1000}`, "--test-force-exit"],
+      `--test-concurrency=${filesAtOnce}`,
+    ];
     await run(process.execPath, [...options, ...files.sort()], { log, env: { NO_COLOR: "1", ...(await env?.()) } });
   },
 });

@@ -31,11 +31,11 @@ test("two curves drawn by clicks, each through its points, make a verified figur
   await newDocument(page);
   await page.locator("[data-empty=draw]").click();
   const hint = page.locator("[data-hint]");
-  assert.match((await hint.textContent()) ?? "", /first point/);
+  await eventually(async () => assert.match((await hint.textContent()) ?? "", /first point/));
   assert.deepEqual(await audit(page), []);
   const outer = await round(page, 250, 7);
   for (const [x, y] of outer.slice(0, 2)) await page.mouse.click(x, y);
-  assert.match((await hint.textContent()) ?? "", /1 more point to close/);
+  await eventually(async () => assert.match((await hint.textContent()) ?? "", /1 more point to close/));
   for (const [x, y] of outer.slice(2)) await page.mouse.click(x, y);
   await page.mouse.move(outer[0][0] + 3, outer[0][1] - 2);
   // A click on the first point closes.
@@ -61,6 +61,7 @@ test("two curves drawn by clicks, each through its points, make a verified figur
   for (const gap of gaps) assert.ok(gap < 1, `${gaps}`);
 
   await page.locator("[data-command=draw]").click();
+  await hint.waitFor();
   const inner = await round(page, 90, 5);
   for (const [x, y] of inner) await page.mouse.click(x, y);
   // A double click sets the last point and closes.

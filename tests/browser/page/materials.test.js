@@ -59,7 +59,7 @@ test("up to sixteen materials, each of its own colour while there are some", asy
     await add.click();
     await eventually(async () => assert.equal((await names(page)).length, count));
   }
-  assert.ok(await add.isDisabled());
+  await eventually(async () => assert.ok(await add.isDisabled()));
   const { materials, curves } = await documentOf(page);
   assert.equal(new Set(materials.slice(0, 8).map((/** @type {{color: string}} */ { color }) => color)).size, 8);
   assert.equal(curves[0].composition[0].mix.length, 16);

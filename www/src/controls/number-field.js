@@ -12,6 +12,7 @@
  * @property {number | (() => number)} step
  * @property {number} decimals shown at least
  * @property {boolean} [whole] whole numbers only
+ * @property {boolean} [rounded] shown with its decimals alone, and with every digit while it has the focus
  *
  * @typedef {object} NumberField
  * @property {HTMLElement} element
@@ -33,7 +34,7 @@ const PIXELS_A_STEP = 4;
  * @returns {NumberField}
  */
 export function numberField(options, editing) {
-  const { label, name, prefix, min, max, decimals, whole = false } = options;
+  const { label, name, prefix, min, max, decimals, whole = false, rounded = false } = options;
   let value = min;
   let typed = false;
   let run = newRun(name);
@@ -76,7 +77,8 @@ export function numberField(options, editing) {
 
   function show() {
     if (typed) return;
-    const text = whole ? fixed(value, 0) : editable(value, decimals);
+    const brief = whole || (rounded && document.activeElement !== input);
+    const text = brief ? fixed(value, whole ? 0 : decimals) : editable(value, decimals);
     input.defaultValue = text;
     if (input.value !== text) input.value = text;
     attribute(input, "aria-valuenow", String(value));
@@ -114,8 +116,10 @@ export function numberField(options, editing) {
     typed = true;
     complain(reason(parse(input.value)));
   });
+  input.addEventListener("focus", show);
   input.addEventListener("blur", () => {
     settle(true);
+    show();
     run = newRun(name);
     editing.end?.();
   });

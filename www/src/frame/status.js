@@ -23,7 +23,11 @@ export function createStatus(app) {
   return {
     render() {
       const { match, matched, problem, ms, slow } = app.results.value;
-      const { note, drawing } = app.ui.value;
+      const { mode, note, drawing } = app.ui.value;
+      if (mode !== "figure") {
+        drawn = "";
+        return;
+      }
       const fresh = matched === app.store.document;
       const key = JSON.stringify([match?.totals, match?.ok, match?.gap, match?.coarse, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;

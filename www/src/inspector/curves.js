@@ -72,6 +72,7 @@ export function curvesGroup(app) {
         max: FAR,
         step: () => arrowStep(app.store.document),
         decimals: 2,
+        rounded: true,
       },
       editing(app, (document, value) => {
         const chosen = selection();
