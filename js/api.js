@@ -1,5 +1,6 @@
 import { DirectrixError, fromModule } from "./errors.js";
 import { flatPoints, shapesOf } from "./shapes.js";
+import { greedyText, setsOf, stepsOf } from "./steps.js";
 import { toText } from "./text.js";
 
 /** The functions that both `load()` and `connect()` offer. */
@@ -9,6 +10,8 @@ export const FUNCTIONS = /** @type {const} */ ([
   "cells",
   "isolines",
   "probe",
+  "steps",
+  "sets",
   "paint",
   "svg",
   "fit",
@@ -91,6 +94,8 @@ export function createApi(engine) {
         return grouped(levels, flat);
       }),
     probe: (document, [x, y]) => ask(() => engine.probe(toText(document), x, y)),
+    steps: (document) => ask(() => stepsOf(engine, document)),
+    sets: (document, options) => ask(() => setsOf(engine, document, options)),
     paint(document, options) {
       const painting = start(document, options);
       return ask(() => {
@@ -120,8 +125,8 @@ export function createApi(engine) {
       }),
     fitCurve: (points, options) =>
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
-    job(document, { paint, coarse = paint?.coarse ?? false } = {}) {
-      const text = ask(() => toText(document));
+    job(document, { paint, coarse = paint?.coarse ?? false, greedy = false } = {}) {
+      const text = ask(() => (greedy ? greedyText(engine, document) : toText(document)));
       /** @type {import("./pkg/directrix.js").Painting | undefined} */
       let painting;
       /** @type {import("./directrix.js").Progress | undefined} */

@@ -9,6 +9,7 @@ import { DirectrixError } from "./errors.js";
  * @property {(value: any) => void} resolve
  * @property {(error: unknown) => void} reject
  * @property {((progress: number) => void) | undefined} onprogress
+ * @property {((milliseconds: number) => void) | undefined} onsolved
  */
 
 /**
@@ -53,17 +54,17 @@ class Client {
 
   /**
    * @param {Name} name
-   * @param {any[]} args the last may be `{ signal, onprogress }`
+   * @param {any[]} args the last may be `{ signal, onprogress, onsolved }`
    */
   call(name, args) {
     const last = args.at(-1);
     const hasControl = args.length > 1 && last !== null && typeof last === "object" && isControl(last);
-    const { signal, onprogress } = hasControl ? args.pop() : {};
+    const { signal, onprogress, onsolved } = hasControl ? args.pop() : {};
     if (this.#isClosed) return Promise.reject(new DirectrixError("closed", "", "the connection is closed"));
     if (signal?.aborted) return Promise.reject(signal.reason);
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
-      this.#pending.set(id, { name, args, resolve, reject, onprogress });
+      this.#pending.set(id, { name, args, resolve, reject, onprogress, onsolved });
       signal?.addEventListener("abort", () => this.#cancel(id, signal.reason), { once: true });
       try {
         this.#worker.postMessage({ type: "call", id, name, args });
@@ -105,11 +106,13 @@ class Client {
   }
 
   /** @param {any} message */
-  #receive({ type, id, value, progress, error }) {
+  #receive({ type, id, value, progress, spent, error }) {
     if (type === "progress") {
       this.#pending.get(id)?.onprogress?.(progress);
     } else if (type === "result") {
-      this.#settle(id)?.resolve(value);
+      const pending = this.#settle(id);
+      pending?.onsolved?.(spent);
+      pending?.resolve(value);
     } else {
       this.#settle(id)?.reject(revive(error));
       if (error.code === "trap") this.#restart();
@@ -147,7 +150,7 @@ class Client {
 
 /** @param {object} value */
 function isControl(value) {
-  return "signal" in value || "onprogress" in value;
+  return "signal" in value || "onprogress" in value || "onsolved" in value;
 }
 
 /** @param {{ code: string, path: string, message: string, at?: [number, number] }} error */

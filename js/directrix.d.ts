@@ -288,6 +288,54 @@ export interface Probe {
   to: Point;
 }
 
+/**
+ * The greedy growth for the weights of a document, whatever its method, with the rules as repaired, and the two passes of vertex insertion.
+ * The fields of `match` are those of the method `greedy` with one-to-one lines; replaying the steps leads to its `lines`, and to its `pairs`
+ * but for the gaps that keep their lines.
+ */
+export interface Steps extends Match {
+  /** Lines in the order in which they are accepted, from the best on. */
+  growth: { from: number; to: number; value: number }[];
+  /** Visible lines that are passed over before the accepted line `growth[step]`, because they cross `growth[by]`. */
+  rejected: { from: number; to: number; step: number; by: number }[];
+  /** Indices into `growth` of the redundant lines, in the order in which they are removed. */
+  removed: number[];
+  /**
+   * What the passes insert: the first (`curve` 0) moves the first end of the one line that sample `vertex` of the second curve has; the
+   * second moves the second end of the one line that is then left at sample `vertex` of the first. Empty unless every sample has a line.
+   */
+  inserted: InsertedEnd[];
+}
+
+/** A new vertex on a curve, and the end of a line that moves there. */
+export interface InsertedEnd {
+  curve: 0 | 1;
+  /** The sample of the other curve at which the line keeps its other end. */
+  vertex: number;
+  at: Point;
+  /** f of the line from there. */
+  value: number;
+}
+
+export interface SetsOptions {
+  /** Number of accepted lines that are there, 0 to the length of `growth`. */
+  step: number;
+  /** Default 0. */
+  curve?: 0 | 1;
+  /** A sample of that curve. */
+  vertex: number;
+}
+
+/** What one sample sees and may have at one step of the greedy growth; vertices are samples of the other curve. */
+export interface VertexSets {
+  /** V, the best line first. A candidate is in R as well, crosses no accepted line and is none. */
+  visible: { vertex: number; value: number; candidate: boolean }[];
+  /** R: what its lines may end in without crossing those that are there, ascending round the curve. */
+  valid: number[];
+  /** The end of the best candidate. */
+  best: number | null;
+}
+
 /** The point in the middle of a picture, and its scale in CSS pixels per unit. */
 export interface View {
   center: Point;
@@ -401,6 +449,8 @@ export interface Directrix {
   /** One entry for each level, in the order asked for; empty unless the matching is complete. */
   isolines(document: DocumentInput, options?: IsolineOptions): Isoline[];
   probe(document: DocumentInput, point: Point): Probe | null;
+  steps(document: DocumentInput): Steps;
+  sets(document: DocumentInput, options: SetsOptions): VertexSets;
   paint(document: DocumentInput, options: PictureOptions): Picture;
   svg(document: DocumentInput, options: PictureOptions): string;
   fit(document: DocumentInput, options: PictureSize): View;
@@ -412,8 +462,8 @@ export interface Directrix {
   readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   fitCurve(points: Point[], options: FitOptions): FittedCurve;
-  /** With `paint`, its option `coarse` counts. */
-  job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions }): Job;
+  /** With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for. */
+  job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions; greedy?: boolean }): Job;
 }
 
 export interface LoadOptions {
@@ -434,6 +484,8 @@ export interface Control {
   signal?: AbortSignal;
   /** Called with the share done, 0 to 1, while a document is being solved. */
   onprogress?: (progress: number) => void;
+  /** Called with the milliseconds that the worker spent on solving, and on painting for a picture; next to none for a document that is remembered. */
+  onsolved?: (milliseconds: number) => void;
 }
 
 type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A, control?: Control]) => Promise<R> : never;

@@ -8,6 +8,9 @@ const BUDGET = 12;
 /** Functions that do not ask for the solution of a document. */
 const UNSOLVED = new Set(["defaults", "fit", "insertPoint", "readShapes", "fitCurve"]);
 
+/** Functions that ask for the greedy growth, whatever the method of the document. */
+const GREEDY = new Set(["steps", "sets"]);
+
 /** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
 
 const scope = /** @type {any} */ (globalThis);
@@ -48,8 +51,8 @@ async function work() {
   for (let call = calls.shift(); call; call = calls.shift()) {
     current = call.id;
     try {
-      const picture = await solve(dx, call);
-      if (current === call.id) answer(call.id, picture ?? run(dx, call));
+      const { picture, spent } = await solve(dx, call);
+      if (current === call.id) answer(call.id, picture ?? run(dx, call), spent);
     } catch (error) {
       scope.postMessage({ type: "error", id: call.id, error: plain(error) });
     }
@@ -63,18 +66,26 @@ async function work() {
  *
  * @param {import("./directrix.js").Directrix} dx
  * @param {Call} call
- * @returns {Promise<import("./directrix.js").Picture | undefined>} the answer to a call for a picture
+ * @returns {Promise<{picture?: import("./directrix.js").Picture | undefined, spent: number}>} the answer to a call for a
+ *   picture, and the milliseconds that the steps took
  */
 async function solve(dx, { id, name, args }) {
-  if (UNSOLVED.has(name)) return undefined;
+  if (UNSOLVED.has(name)) return { spent: 0 };
   args[0] = toText(args[0]);
-  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : name === "match" ? args[1] : {});
-  let state = job.step(BUDGET);
-  for (; !state.done && current === id; state = job.step(BUDGET)) {
+  const job = dx.job(args[0], name === "paint" ? { paint: args[1] } : name === "match" ? args[1] : { greedy: GREEDY.has(name) });
+  let spent = 0;
+  const step = () => {
+    const start = performance.now();
+    const state = job.step(BUDGET);
+    spent += performance.now() - start;
+    return state;
+  };
+  let state = step();
+  for (; !state.done && current === id; state = step()) {
     scope.postMessage({ type: "progress", id, progress: state.progress });
     await nextMessage();
   }
-  return state.picture;
+  return { picture: state.picture, spent };
 }
 
 /**
@@ -88,10 +99,11 @@ function run(dx, { name, args }) {
 /**
  * @param {number} id
  * @param {any} value
+ * @param {number} spent milliseconds
  */
-function answer(id, value) {
+function answer(id, value, spent) {
   const transfer = value?.data instanceof Uint8ClampedArray ? [value.data.buffer] : [];
-  scope.postMessage({ type: "result", id, value }, transfer);
+  scope.postMessage({ type: "result", id, value, spent }, transfer);
 }
 
 const { port1, port2 } = new MessageChannel();

@@ -10,7 +10,7 @@ use directrix::document::{
 };
 use directrix::matching::blocking_edge;
 use directrix::morph::Band;
-use directrix::picture::{PictureOptions, figure, paint, to_svg};
+use directrix::picture::{Item, PictureOptions, figure, paint, to_svg};
 use glam::{DVec2, dvec2};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -97,7 +97,9 @@ fn presets_are_listed_once_each_and_say_what_they_hold() {
     assert_eq!(files, listed);
     for Preset { id, title, text, .. } in presets {
         let document = read_text(&text).expect("a valid document");
-        assert!(text.contains("\"method\": \"greedy\"") && text.contains("\"oneToOne\": false"), "{id}");
+        let one_to_one = id != "eight-and-two-hundred";
+        let written = [String::from("\"method\": \"exact\""), format!("\"oneToOne\": {one_to_one}")];
+        assert!(written.iter().all(|field| text.contains(field)), "{id}");
         assert_eq!(title, json!(document.title), "{id}");
     }
 }
@@ -664,6 +666,78 @@ fn what_is_written_is_read_as_the_same_document() {
         prop_assert_eq!(read_text(&text), Ok(document));
         Ok(())
     });
+}
+
+/// Twice the area of a triangle, positive when it turns counter-clockwise.
+fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+/// Tells whether two segments cross inside both.
+fn cross_inside([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
+}
+
+#[test]
+fn lines_that_break_a_constraint_are_drawn_apart_and_without_a_blend() {
+    let mut faults = 0;
+    for Preset { id, text, .. } in presets() {
+        for (method, one_to_one) in [
+            ("parameter", false),
+            ("parameter", true),
+            ("shift", false),
+            ("greedy", true),
+            ("one-per-vertex", true),
+        ] {
+            let mut document: Value = serde_json::from_str(&text).expect("JSON");
+            document["matching"]["method"] = json!(method);
+            document["matching"]["oneToOne"] = json!(one_to_one);
+            let solution = solve(&document).expect("a valid document");
+            let (problem, lines, totals) = solution.lines().expect("lines");
+            let [first, second] = problem.outlines();
+            let segments: Vec<[DVec2; 2]> =
+                lines.iter().map(|line| [first.points[line.from], second.points[line.to]]).collect();
+            let is_broken = |k: usize| {
+                let crossed =
+                    segments.iter().enumerate().any(|(l, other)| l != k && cross_inside(segments[k], *other));
+                crossed || blocking_edge(problem.outlines(), lines[k].from, lines[k].to).is_some()
+            };
+            let mut expected: Vec<Vec<DVec2>> =
+                (0..lines.len()).filter(|&k| is_broken(k)).map(|k| segments[k].to_vec()).collect();
+            faults += expected.len();
+
+            let options =
+                PictureOptions::read(&Json::parse(r#"{"width": 300, "height": 240}"#).expect("JSON"));
+            let options = options.expect("valid");
+            let viewport = options.viewport(&solution.model);
+            let list = figure(&solution, &options.figure(&solution.model), &viewport);
+            let drawn = |name: &str| -> Vec<Vec<DVec2>> {
+                let layers = list.layers.iter().filter(|layer| layer.name == name);
+                let items = layers.flat_map(|layer| &layer.items);
+                items
+                    .flat_map(|item| match item {
+                        Item::Stroke { path, .. } => path.rings.clone(),
+                        _ => panic!("lines are strokes"),
+                    })
+                    .collect()
+            };
+            let mut broken = drawn("broken-lines");
+            assert_eq!(broken.len() + drawn("ruling-lines").len(), lines.len(), "{id} {method}");
+            assert_eq!(broken.is_empty(), totals.crossings + totals.blocked == 0, "{id} {method}");
+            let by_place = |a: &Vec<DVec2>, b: &Vec<DVec2>| {
+                a[0].to_array().partial_cmp(&b[0].to_array()).expect("finite")
+            };
+            broken.sort_by(by_place);
+            expected.sort_by(by_place);
+            assert_eq!(broken, expected, "{id} {method}");
+            let has = |name: &str| list.layers.iter().any(|layer| layer.name == name);
+            assert!(broken.is_empty() || !has("material"), "{id} {method}");
+            let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("{id} has lines") };
+            let bare = matching.totals.uncovered.iter().any(|bare| !bare.is_empty());
+            assert_eq!(has("unconnected"), bare && !solution.is_complete(), "{id} {method}");
+        }
+    }
+    assert!(faults > 200, "{faults} lines break a constraint");
 }
 
 /// Paints and writes a solution, small.

@@ -44,12 +44,20 @@ export async function reference(dx) {
   return page;
 }
 
-/** @returns {Promise<Preset[]>} */
+/**
+ * The presets with the method whose lines the tables count.
+ *
+ * @returns {Promise<Preset[]>}
+ */
 async function readPresets() {
   const read = async (/** @type {string} */ file) => JSON.parse(await readFile(join(root, "www/presets", file), "utf8"));
   /** @type {Omit<Preset, "document">[]} */
   const index = await read("index.json");
-  return Promise.all(index.map(async (preset) => ({ ...preset, document: await read(`${preset.id}.json`) })));
+  const grown = async (/** @type {string} */ id) => {
+    const document = await read(`${id}.json`);
+    return { ...document, matching: { ...document.matching, method: "greedy", oneToOne: false } };
+  };
+  return Promise.all(index.map(async (preset) => ({ ...preset, document: await grown(preset.id) })));
 }
 
 /** @param {Preset[]} presets */

@@ -4,7 +4,7 @@ use super::work::{Found, Work};
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
 use crate::curve::ClosedBSpline;
 use crate::matching::{
-    Details, Layout, Matching, OneToOne, Problem, ProblemError, RulingLine, Totals, Weights, details,
+    Details, Layout, Matching, OneToOne, Problem, ProblemError, RulingLine, Totals, Weights, broken, details,
     places_of, places_of_pairs,
 };
 use crate::morph::Band;
@@ -96,6 +96,24 @@ impl Solution {
             }
             Outcome::Matched { problem, matching, .. } => Some((problem, &matching.lines, &matching.totals)),
             Outcome::Refused(_) | Outcome::Unmatched => None,
+        }
+    }
+
+    /// Tells of each line to show whether it meets a curve or crosses another; empty where none does.
+    #[must_use]
+    pub fn broken(&self) -> Vec<bool> {
+        match &self.outcome {
+            Outcome::Matched { pairs: Some(pairs), .. }
+                if pairs.totals.crossings + pairs.totals.blocked > 0 =>
+            {
+                pairs.verified.iter().map(|verified| !verified).collect()
+            }
+            Outcome::Matched { problem, matching, pairs: None, occluded, .. }
+                if matching.totals.crossings + matching.totals.blocked + occluded.len() > 0 =>
+            {
+                broken(problem, &matching.lines)
+            }
+            Outcome::Matched { .. } | Outcome::Refused(_) | Outcome::Unmatched => Vec::new(),
         }
     }
 

@@ -156,7 +156,8 @@ impl Greedy {
     }
 
     fn look_from(&mut self, from: usize) {
-        let mut row = ranked_lines(&self.problem, &self.wedges, &mut self.sight, from);
+        let vertices = 0..self.problem.counts().1;
+        let mut row = ranked_lines(&self.problem, &self.wedges, &mut self.sight, from, vertices);
         for Candidate { line, .. } in &row {
             self.best[0][from] = self.best[0][from].max(line.value);
             self.best[1][line.to] = self.best[1][line.to].max(line.value);

@@ -34,6 +34,19 @@ pub struct FailedGap {
     pub at: DVec2,
 }
 
+/// What one step of a pass does: a line leaves the vertex it shares at one end for a new vertex on the curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inserted {
+    /// The curve with the new vertex: 0 in the first pass, 1 in the second.
+    pub curve: usize,
+    /// The sample of the other curve at which the line keeps its end; its other line ends are elsewhere by then.
+    pub vertex: usize,
+    /// The new vertex.
+    pub at: DVec2,
+    /// Value f of the line from there.
+    pub value: f64,
+}
+
 /// One end of a line.
 #[derive(Debug, Clone, Copy)]
 struct Spot {
@@ -158,6 +171,19 @@ impl Insertion {
     #[must_use]
     pub fn progress(&self) -> f64 {
         self.progress
+    }
+
+    /// What the two passes insert, in their order and that of the lines; asked before the first step, as long as no gap has failed.
+    #[must_use]
+    pub fn inserted(&self) -> Vec<Inserted> {
+        let of_pass = |curve: usize| {
+            self.joins.iter().zip(&self.lines).filter_map(move |(join, line)| {
+                let [new, kept] = [&join.ends[curve], &join.ends[1 - curve]];
+                let vertex = kept.vertex.filter(|_| new.vertex.is_none())?;
+                Some(Inserted { curve, vertex, at: new.end.point, value: line.value })
+            })
+        };
+        of_pass(0).chain(of_pass(1)).collect()
     }
 
     /// Verifies one line, or integrates over one gap.
@@ -572,6 +598,41 @@ mod tests {
                 assert!(pairs.verified.iter().all(|&verified| verified));
                 assert_eq!(pairs.totals.sum, pairs.lines.iter().map(|line| line.value).sum::<f64>());
                 assert!((pairs.totals.sum - matching.totals.sum).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn the_two_passes_move_one_end_of_each_line_that_shares_one() {
+        for counts in [[3, 17], [17, 3], [5, 7], [9, 9], [20, 31]] {
+            for turn in 0..8 {
+                let (job, matching) = job(counts, [0.3, 0.8 * f64::from(turn)]);
+                let inserted = job.inserted();
+                // Lines that neither pass moves have both ends to themselves: the best of their stars.
+                let mut left: Vec<(usize, usize)> =
+                    matching.lines.iter().map(|line| (line.from, line.to)).collect();
+                for Inserted { curve, vertex, at, .. } in &inserted {
+                    let of_vertex: Vec<usize> = (0..left.len())
+                        .filter(|&k| if *curve == 0 { left[k].1 == *vertex } else { left[k].0 == *vertex })
+                        .collect();
+                    assert_eq!(of_vertex.len(), 1, "{counts:?} {turn}: one line is there to be moved");
+                    left.remove(of_vertex[0]);
+                    let radius = if *curve == 0 { 1.0 } else { 3.0 };
+                    assert!((at.length() / radius - 0.9).abs() < 0.1, "{at} lies on curve {curve}");
+                }
+                let all = |ends: Vec<usize>| ends.iter().collect::<BTreeSet<_>>().len() == ends.len();
+                assert!(all(left.iter().map(|ends| ends.0).collect()), "{counts:?} {turn}");
+                assert!(all(left.iter().map(|ends| ends.1).collect()), "{counts:?} {turn}");
+                let pairs = run(job, true);
+                assert_eq!(pairs.lines.len(), left.len() + inserted.len());
+                assert!(inserted.is_sorted_by_key(|step| step.curve));
+                for Inserted { curve, at, value, .. } in inserted {
+                    let is_it = |line: &RulingLine| {
+                        let end = if curve == 0 { line.from } else { line.to };
+                        line.value == value && pairs.problem.outlines()[curve].points[end] == at
+                    };
+                    assert!(!pairs.failed.is_empty() || pairs.lines.iter().any(is_it), "{at}");
+                }
             }
         }
     }

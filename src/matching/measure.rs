@@ -106,6 +106,21 @@ fn crossings(problem: &Problem, lines: &[RulingLine]) -> usize {
     (0..lines.len()).map(crossed).sum()
 }
 
+/// Tells of each line whether it meets a polygon or has more than an end in common with another line.
+#[must_use]
+pub fn broken(problem: &Problem, lines: &[RulingLine]) -> Vec<bool> {
+    let mut broken: Vec<bool> = lines.iter().map(|line| !problem.is_visible(line.from, line.to)).collect();
+    for (k, line) in lines.iter().enumerate() {
+        for (l, other) in lines.iter().enumerate().skip(k + 1) {
+            if !(broken[k] && broken[l]) && cross(problem.outlines(), line, other) {
+                broken[k] = true;
+                broken[l] = true;
+            }
+        }
+    }
+    broken
+}
+
 /// Tells whether two lines have more than an end in common.
 pub(super) fn cross([first, second]: &[Outline; 2], line: &RulingLine, other: &RulingLine) -> bool {
     let ends = |line: &RulingLine| (first.points[line.from], second.points[line.to]);

@@ -4,6 +4,7 @@ use super::Problem;
 use super::visibility::{Sight, Wedge};
 use super::{Layout, RulingLine};
 use std::cmp::Ordering;
+use std::ops::Range;
 
 /// A visible line with its place in the greedy order.
 #[derive(Debug, Clone, Copy)]
@@ -74,14 +75,15 @@ pub(super) fn visible_lines(
     )
 }
 
-/// Returns every line that a vertex of the first outline could have in greedy order, the best last.
+/// Returns the lines that a vertex of the first outline could have to some vertices of the second in greedy order, the best last.
 pub(super) fn ranked_lines(
     problem: &Problem,
     wedges: &Wedges,
     sight: &mut Sight,
     from: usize,
+    vertices: Range<usize>,
 ) -> Vec<Candidate> {
-    let mut candidates: Vec<Candidate> = visible_lines(problem, wedges, sight, from, 0..problem.counts().1)
+    let mut candidates: Vec<Candidate> = visible_lines(problem, wedges, sight, from, vertices)
         .map(|line| Candidate { rank: problem.rank(line.from, line.to, line.value), line })
         .collect();
     candidates.sort_unstable_by(Candidate::compare);

@@ -31,16 +31,25 @@ pub struct Rejection {
     pub by: usize,
 }
 
-/// The sets of Eqs. 11 and 12 for one vertex of the first outline at one step.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// The sets of Eqs. 11 and 12 for one vertex at one step.
+#[derive(Debug, Clone, PartialEq)]
 pub struct VertexSets {
-    /// V_i: vertices of the second outline that it sees.
-    pub visible: Vec<usize>,
-    /// R_i: vertices of the second outline that its lines may end in without crossing the lines there are, ascending round the band; all of
+    /// V: what it sees of the other outline, the best line first.
+    pub visible: Vec<Seen>,
+    /// R: vertices of the other outline that its lines may end in without crossing the lines there are, ascending round the band; all of
     /// them as long as there are no lines.
     pub valid: Vec<usize>,
-    /// The vertex of the second outline at the end of its best candidate, a visible and valid one without a line to it.
-    pub best: Option<usize>,
+}
+
+/// A vertex of the other outline that one vertex sees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seen {
+    /// The vertex of the other outline.
+    pub vertex: usize,
+    /// Value f of the line to it.
+    pub value: f64,
+    /// Whether the line crosses none of the lines there are and is none of them.
+    pub is_candidate: bool,
 }
 
 /// Traces the greedy construction by the repaired rules; `growth` is its outcome, see [`Matching::growth`](super::Matching).
@@ -51,7 +60,7 @@ pub fn trace(problem: &Problem, growth: &[RulingLine]) -> Trace {
     let (a, b) = problem.counts();
     let (wedges, mut sight) = (Wedges::new(problem), Sight::new(problem.outlines()));
     let mut candidates: Vec<Candidate> =
-        (0..a).flat_map(|from| ranked_lines(problem, &wedges, &mut sight, from)).collect();
+        (0..a).flat_map(|from| ranked_lines(problem, &wedges, &mut sight, from, 0..b)).collect();
     candidates.sort_unstable_by(|p, q| q.compare(p));
     let (mut rejected, mut step) = (Vec::new(), 0);
     for Candidate { line, .. } in &candidates {
@@ -70,28 +79,44 @@ pub fn trace(problem: &Problem, growth: &[RulingLine]) -> Trace {
     Trace { growth: growth.to_vec(), rejected, removed }
 }
 
-/// Finds what a vertex of the first outline sees and may have when the lines of `growth` are there.
+/// Finds what a vertex of an outline, 0 or 1, sees and may have when the lines of `growth` are there.
+///
+/// For the second outline the sets are those of the first with the outlines exchanged: the papers look from the first alone.
 #[must_use]
-pub fn vertex_sets(problem: &Problem, growth: &[RulingLine], vertex: usize) -> VertexSets {
+pub fn vertex_sets(problem: &Problem, growth: &[RulingLine], outline: usize, vertex: usize) -> VertexSets {
     let (a, b) = problem.counts();
-    let mut chain = Chain::new(a, b);
-    growth.iter().for_each(|line| chain.insert(line.from, line.lifted));
+    // A line as the chain of this outline counts it: its end there, and that on the other one with the laps between them.
+    let lifted = |line: &RulingLine| match outline {
+        0 => (line.from, line.lifted),
+        _ => (line.to, line.from as i64 - line.lifted.div_euclid(b as i64) * a as i64),
+    };
+    let [own, other] = if outline == 0 { [a, b] } else { [b, a] };
+    let mut chain = Chain::new(own, other);
+    for line in growth {
+        let (at, lifted) = lifted(line);
+        chain.insert(at, lifted);
+    }
     let (wedges, mut sight) = (Wedges::new(problem), Sight::new(problem.outlines()));
-    let ranked = ranked_lines(problem, &wedges, &mut sight, vertex);
-    let is_new =
-        |line: &RulingLine| growth.iter().all(|other| (other.from, other.to) != (line.from, line.to));
-    let best = ranked.iter().rev().map(|candidate| candidate.line);
-    let best =
-        best.filter(|line| is_new(line) && chain.admits(line.from, line.lifted)).map(|line| line.to).next();
-    let mut visible: Vec<usize> = ranked.iter().map(|candidate| candidate.line.to).collect();
-    visible.sort_unstable();
+    let mut ranked = match outline {
+        0 => ranked_lines(problem, &wedges, &mut sight, vertex, 0..b),
+        _ => (0..a)
+            .flat_map(|from| ranked_lines(problem, &wedges, &mut sight, from, vertex..vertex + 1))
+            .collect(),
+    };
+    ranked.sort_unstable_by(|p, q| q.compare(p));
+    let seen = |Candidate { line, .. }: &Candidate| {
+        let (at, lifted) = lifted(line);
+        let is_new = growth.iter().all(|old| (old.from, old.to) != (line.from, line.to));
+        let vertex = if outline == 0 { line.to } else { line.from };
+        Seen { vertex, value: line.value, is_candidate: is_new && chain.admits(at, lifted) }
+    };
     let valid = match chain.range(vertex) {
         Some((first, last)) => {
-            (first..=last).take(b).map(|column| column.rem_euclid(b as i64) as usize).collect()
+            (first..=last).take(other).map(|end| end.rem_euclid(other as i64) as usize).collect()
         }
-        None => (0..b).collect(),
+        None => (0..other).collect(),
     };
-    VertexSets { visible, valid, best }
+    VertexSets { visible: ranked.iter().map(seen).collect(), valid }
 }
 
 /// Whether two lifted lines, or one and a translate of the other, are in opposite orders at their two ends.
@@ -140,17 +165,66 @@ mod tests {
     }
 
     #[test]
-    fn every_accepted_line_was_the_best_candidate_of_its_vertex() {
+    fn every_accepted_line_was_the_best_candidate_of_both_its_ends() {
         let mut numbers = Numbers(15);
         for case in 0..40 {
             let problem = random_problem(&mut numbers, 3, 16);
             let growth = greedy(&problem).growth;
             for step in 0..growth.len() {
-                let sets = vertex_sets(&problem, &growth[..step], growth[step].from);
-                assert_eq!(sets.best, Some(growth[step].to), "case {case}, step {step}");
-                assert!(sets.visible.contains(&growth[step].to) && sets.valid.contains(&growth[step].to));
+                let RulingLine { from, to, .. } = growth[step];
+                for (outline, vertex, end) in [(0, from, to), (1, to, from)] {
+                    let sets = vertex_sets(&problem, &growth[..step], outline, vertex);
+                    let best = sets.visible.iter().find(|seen| seen.is_candidate).map(|seen| seen.vertex);
+                    assert_eq!(best, Some(end), "case {case}, step {step}, outline {outline}");
+                    assert!(sets.valid.contains(&end));
+                    assert!(
+                        sets.visible.windows(2).all(|pair| pair[0].value >= pair[1].value * (1.0 - 1e-9))
+                    );
+                }
             }
         }
+    }
+
+    #[test]
+    fn candidates_are_the_visible_lines_that_cross_none() {
+        let mut numbers = Numbers(21);
+        let (mut candidates, mut others) = (0, 0);
+        for case in 0..40 {
+            let problem = random_problem(&mut numbers, 3, 14);
+            let (a, b) = problem.counts();
+            let growth = greedy(&problem).growth;
+            let lines = &growth[..growth.len() / 2];
+            let [first, second] = problem.outlines();
+            let ends = |from: usize, to: usize| (first.points[from], second.points[to]);
+            // Lines that share an end do not cross, although they meet.
+            let crosses = |from: usize, to: usize| {
+                let (p, q) = ends(from, to);
+                lines.iter().filter(|line| line.from != from && line.to != to).any(|line| {
+                    let (r, s) = ends(line.from, line.to);
+                    segments_meet(p, q, r, s)
+                })
+            };
+            for (outline, vertex) in (0..a).map(|i| (0, i)).chain((0..b).map(|j| (1, j))) {
+                let sets = vertex_sets(&problem, lines, outline, vertex);
+                let line = |other: usize| if outline == 0 { (vertex, other) } else { (other, vertex) };
+                let others_seen = (0..if outline == 0 { b } else { a }).filter(|&other| {
+                    let (from, to) = line(other);
+                    problem.is_visible(from, to)
+                });
+                let mut seen: Vec<usize> = sets.visible.iter().map(|seen| seen.vertex).collect();
+                seen.sort_unstable();
+                assert_eq!(seen, others_seen.collect::<Vec<_>>(), "case {case}, {outline}, {vertex}");
+                for Seen { vertex: other, is_candidate, .. } in sets.visible {
+                    let (from, to) = line(other);
+                    let is_there = lines.iter().any(|line| (line.from, line.to) == (from, to));
+                    assert_eq!(is_candidate, !is_there && !crosses(from, to), "case {case}: {from}, {to}");
+                    assert!(!is_candidate || sets.valid.contains(&other));
+                    candidates += usize::from(is_candidate);
+                    others += usize::from(!is_candidate);
+                }
+            }
+        }
+        assert!(candidates > 300 && others > 300, "{candidates} and {others}");
     }
 
     #[test]

@@ -164,8 +164,16 @@ impl Drawing<'_> {
         let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
             lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
-        let bad = self.bad_lines();
-        let is_bad = |k: &usize| bad.contains(k);
+        let broken = self.solution.broken();
+        let these = |bad: bool| Path {
+            rings: segments
+                .iter()
+                .enumerate()
+                .filter(|&(k, _)| broken.get(k).is_some_and(|&broken| broken) == bad)
+                .map(|(_, segment)| segment.clone())
+                .collect(),
+            closed: false,
+        };
         if self.shows(LayerName::Value) {
             let values = lines.iter().map(|line| line.value);
             let (low, high) =
@@ -176,38 +184,13 @@ impl Drawing<'_> {
                 self.stroke("value", Path::open(segment.clone()), style);
             }
         } else if self.shows(LayerName::RulingLines) {
-            let sound = (0..segments.len()).filter(|k| !is_bad(k)).map(|k| segments[k].clone()).collect();
-            self.stroke(
-                "ruling-lines",
-                Path { rings: sound, closed: false },
-                self.inside(self.theme.ruling_line),
-            );
+            self.stroke("ruling-lines", these(false), self.inside(self.theme.ruling_line));
         }
         if self.shows(LayerName::RulingLines) {
-            let rings =
-                segments.iter().enumerate().filter(|(k, _)| is_bad(k)).map(|(_, s)| s.clone()).collect();
-            self.stroke("occluded", Path { rings, closed: false }, self.theme.error);
+            self.stroke("broken-lines", these(true), self.theme.error);
         }
         if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
             self.cased("line", Path::open(segment.clone()), self.theme.probe);
-        }
-    }
-
-    /// Numbers of the lines that meet a curve or, one to one, cross another.
-    fn bad_lines(&self) -> Vec<usize> {
-        let unverified = self.solution.diagnostics.iter().find_map(|diagnostic| match diagnostic {
-            Diagnostic::Unverified { lines } | Diagnostic::Occluded { lines } => Some(lines.clone()),
-            _ => None,
-        });
-        match (&self.solution.outcome, unverified) {
-            (_, Some(lines)) => lines,
-            (Outcome::Matched { problem, matching, pairs: None, .. }, None)
-                if matching.totals.blocked > 0 =>
-            {
-                let lines = &matching.lines;
-                (0..lines.len()).filter(|&k| !problem.is_visible(lines[k].from, lines[k].to)).collect()
-            }
-            _ => Vec::new(),
         }
     }
 
@@ -237,7 +220,7 @@ impl Drawing<'_> {
     /// Marks what is wrong: vertices without a line, corners of a crossing, places where curves meet.
     fn witnesses(&mut self) {
         let style = StrokeStyle { dash: None, width_px: 2.0, ..self.theme.error };
-        if let (Outcome::Matched { matching, .. }, true) =
+        if let (Outcome::Matched { matching, is_complete: false, .. }, true) =
             (&self.solution.outcome, self.shows(LayerName::Unconnected))
         {
             let bare = self.solution.model.samples().iter().zip(&matching.totals.uncovered);

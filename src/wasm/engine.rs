@@ -4,7 +4,7 @@ use super::clock;
 use super::error::to_js;
 use super::json::parse;
 use super::painting::Painting;
-use super::results::{MatchResult, ViewResult, cells, isolines, probe, stages, to_value};
+use super::results::{MatchResult, ViewResult, cells, isolines, probe, sets, stages, steps, to_value};
 use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Solution, Solve};
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure, to_svg};
 use glam::DVec2;
@@ -81,6 +81,17 @@ impl Engine {
     pub fn probe(&mut self, text: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
         to_value(&probe(&solution, DVec2::new(x, y)))
+    }
+
+    /// The steps of the greedy construction, of a document with that method: lists of numbers, which `js/steps.js` names.
+    pub fn steps(&mut self, text: &str) -> Result<JsValue, JsValue> {
+        to_value(&steps(&*self.solve(text)?))
+    }
+
+    /// What a vertex of a curve, 0 or 1, sees and may have after so many accepted lines, as lists of numbers.
+    pub fn sets(&mut self, text: &str, step: usize, curve: usize, vertex: usize) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        to_value(&sets(&solution, step, curve, vertex).map_err(|e| to_js(&e))?)
     }
 
     /// The picture, to be painted in steps.

@@ -52,3 +52,33 @@ test("a large picture is painted in steps, and cancelled between them", async ()
     assert.equal(found.small, 40 * 30 * 4);
   });
 });
+
+test("a call tells how long it was solved, and that a remembered document is not solved again", async () => {
+  await withPage(browser, { allow: /favicon|404/ }, async (page) => {
+    await page.goto(`${served.url}index.js`);
+    const found = await page.evaluate(
+      async ([address, document]) => {
+        const { connect } = await import(/** @type {string} */ (address));
+        const dx = await connect({ module: "figure" });
+        const many = JSON.stringify({ .../** @type {any} */ (document), sampling: { counts: [200, 200] }, matching: { method: "exact" } });
+        /** @type {{spent: number, all: number}[]} */
+        const calls = [];
+        const ask = async (/** @type {string} */ text) => {
+          const start = performance.now();
+          let spent = -1;
+          await dx.match(text, {}, { onsolved: (/** @type {number} */ milliseconds) => (spent = milliseconds) });
+          calls.push({ spent, all: performance.now() - start });
+        };
+        await ask(many);
+        await ask(many);
+        await ask(`${many} `);
+        dx.close();
+        return calls;
+      },
+      /** @type {const} */ ([`${served.url}index.js`, base]),
+    );
+    const [first, again, other] = found;
+    for (const { spent, all } of found) assert.ok(spent >= 0 && spent <= all + 1, `${spent} of ${all} ms`);
+    assert.ok(first.spent > 4 * again.spent && other.spent > 4 * again.spent, JSON.stringify(found));
+  });
+});

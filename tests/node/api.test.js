@@ -6,7 +6,9 @@ import { DirectrixError, load } from "directrix";
 
 const root = new URL("../../", import.meta.url);
 const dx = await load({ module: "figure" });
-const amoeba = JSON.parse(await readFile(new URL("www/presets/amoeba.json", root), "utf8"));
+const preset = JSON.parse(await readFile(new URL("www/presets/amoeba.json", root), "utf8"));
+/** Its lines from sample to sample, as they grow. */
+const amoeba = { ...preset, matching: { ...preset.matching, method: "greedy", oneToOne: false } };
 
 /**
  * @param {() => unknown} call
@@ -71,6 +73,56 @@ test("exact gives the optimum in any number of lines, keeps pins, and every meth
   const { ok, diagnostics } = matched({ method: "exact", pins: [{ u: 0.1, v: 0.2 }, { u: 0.2, v: 0.1 }] });
   assert.equal(ok, false);
   assert.ok(diagnostics.some(({ code, pins }) => code === "pins" && pins && pins.length > 0));
+});
+
+test("coarse matching leaves the refinement out until it is asked for", () => {
+  const document = { ...preset, title: "coarse" };
+  const coarse = dx.match(document, { coarse: true });
+  assert.deepEqual([coarse.ok, coarse.coarse, coarse.gapKind, coarse.pairs.length], [true, true, "lattice", 44]);
+  assert.ok(coarse.pairs.every(({ verified }) => verified));
+  const picture = dx.paint(document, { width: 64, height: 48, coarse: true });
+  const fine = dx.match(document);
+  assert.deepEqual([fine.ok, fine.coarse, fine.gapKind, fine.pairs.length], [true, false, "refined", 44]);
+  assert.ok(Number(fine.totals.pairs?.integral) > Number(coarse.totals.pairs?.integral));
+  assert.deepEqual(dx.match(document, { coarse: true }), fine, "what is known is not made worse");
+  assert.notDeepEqual(dx.paint(document, { width: 64, height: 48, coarse: true }).data, picture.data);
+  assert.equal(dx.match(amoeba, { coarse: true }).coarse, false, "greedy lines are not refined");
+  const job = dx.job({ ...preset, title: "coarse in steps" }, { coarse: true });
+  while (!job.step(5).done);
+  assert.equal(dx.match({ ...preset, title: "coarse in steps" }, { coarse: true }).coarse, true);
+});
+
+test("a line is explained by its parts, its rank and its rivals", async () => {
+  const full = await load({ module: "full" });
+  for (const document of [amoeba, preset]) {
+    const match = full.match(document);
+    const toEnds = match.pairs.length > 0;
+    const lines = toEnds ? match.pairs : match.lines;
+    for (const line of [0, 7, lines.length - 1]) {
+      const found = full.explain(document, line);
+      assert.ok(found && found.line === line && found.value === lines[line].value);
+      const { factors, cosine, length, ends } = found;
+      assert.ok(Math.abs(factors[0] * factors[1] * factors[2] - found.value) < 1e-12);
+      assert.ok(Math.abs(factors[0] - cosine) < 1e-12 && Math.abs(factors[1] * length ** 2 - 1) < 1e-9);
+      ends.forEach(({ rank, visible, rivals }, end) => {
+        assert.ok(rank !== null && rank >= 1 && rank <= visible && rivals.length === 4);
+        const here = end === 0 ? "from" : "to";
+        const there = end === 0 ? "to" : "from";
+        assert.ok(rivals.every((rival) => `${rival[here]}` === `${found[here]}` && rival.fate !== undefined));
+        assert.ok(rivals.every(({ value }, k) => k === 0 || value <= rivals[k - 1].value));
+        const better = rivals.filter(({ value, fate }) => value > found.value && fate !== "blocked").length;
+        assert.ok(better === Math.min(rank - 1, better), "those above it are above it");
+        for (const rival of rivals) {
+          const place = toEnds ? match.pairs[rival.other][there] : match.samples[1 - end].points[rival.other];
+          assert.deepEqual(rival[there], place);
+          assert.equal(rival.line !== null, rival.fate === "crosses");
+        }
+      });
+    }
+    assert.equal(full.explain(document, lines.length), null);
+  }
+  assert.equal(refused(() => full.explain(amoeba, -1)).path, "line");
+  assert.equal(refused(() => dx.explain(amoeba, 0)).code, "not-in-module");
 });
 
 test("one-to-one pairs ascend, are verified, and carry the band", () => {

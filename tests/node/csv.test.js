@@ -6,7 +6,9 @@ import { load } from "directrix";
 import { linesCsv, stagesCsv } from "../../www/src/files/csv.js";
 
 const dx = await load({ module: "figure" });
-const amoeba = JSON.parse(await readFile(new URL("../../www/presets/amoeba.json", import.meta.url), "utf8"));
+const preset = JSON.parse(await readFile(new URL("../../www/presets/amoeba.json", import.meta.url), "utf8"));
+/** Its lines from sample to sample, as they grow. */
+const amoeba = { ...preset, matching: { ...preset.matching, method: "greedy", oneToOne: false } };
 
 /**
  * Rows by the names of the columns.

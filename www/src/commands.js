@@ -5,7 +5,7 @@
  * @import { App } from "./state/app.js"
  * @import { Item } from "./frame/menu.js"
  *
- * @typedef {"document" | "view" | "draw" | "select" | "points" | "frame" | "reading" | "fields"} Topic
+ * @typedef {"document" | "mode" | "view" | "draw" | "select" | "points" | "frame" | "reading" | "fields"} Topic
  *
  * @typedef {object} Command
  * @property {string} name
@@ -70,6 +70,12 @@ function toggleSnap(app) {
   app.say(snap ? words.snapOn : words.snapOff);
 }
 
+/** @param {App} app @param {"figure" | "steps" | "compare"} mode @param {string} text */
+function enter(app, mode, text) {
+  app.ui.set({ mode });
+  app.say(text);
+}
+
 /** @type {readonly Command[]} */
 export const COMMANDS = [
   { name: "new", topic: "document", text: words.new, run: async (app) => (await import("./files/blank.js")).openBlank(app) },
@@ -86,6 +92,10 @@ export const COMMANDS = [
     run: async () => (await import("./frame/shortcut-sheet.js")).openShortcuts(),
   },
   { name: "about", topic: "document", text: words.about, run: async () => (await import("./frame/about.js")).openAbout() },
+
+  { name: "mode-figure", topic: "mode", text: words.figure, keys: ["1"], run: (app) => enter(app, "figure", words.figure) },
+  { name: "mode-steps", topic: "mode", text: words.steps, keys: ["2"], run: (app) => enter(app, "steps", words.steps) },
+  { name: "mode-compare", topic: "mode", text: words.compare, keys: ["3"], run: (app) => enter(app, "compare", words.compare) },
 
   { name: "fit", topic: "view", text: words.fit, keys: ["F"], run: fit },
   { name: "zoom-in", topic: "view", text: words.zoomIn, keys: ["+", "="], run: (app) => zoomBy(app, 1) },

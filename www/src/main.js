@@ -84,6 +84,7 @@ async function firstDocument(kernel) {
 function assemble(kernel, store, restored, kept) {
   /** @type {Record<Ui>} */
   const ui = new Record({
+    mode: "figure",
     selection: only(1, 2),
     view: null,
     fitted: true,
@@ -175,6 +176,7 @@ function run(app) {
     bar,
     createInspector(app),
     createStatus(app),
+    later(app, () => true, () => import("./modes/modes.js").then(({ createModes }) => createModes)),
   ];
   listenToPointer(app, handles, probe, reading);
   listenToKeys(app, handles);

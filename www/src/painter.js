@@ -117,7 +117,9 @@ export function createPainter(app) {
 
   /** @param {boolean} [force] */
   function update(force = false) {
-    const { view, size } = ui.value;
+    const { mode, view, size } = ui.value;
+    // The comparison has pictures of its own.
+    if (mode === "compare") return clearTimeout(idle);
     if (!view || size.width < 1 || size.height < 1) return;
     const next = options(false);
     if (!force && askedFor === store.document && asked && same(asked, next)) return;

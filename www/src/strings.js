@@ -19,6 +19,9 @@ const commands = {
   redo: "Redo",
   shortcuts: "Keyboard shortcuts",
   about: "About Directrix",
+  figure: "Figure",
+  steps: "Steps of the greedy growth",
+  compare: "Compare methods",
   fit: "Fit the figure",
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",
@@ -94,6 +97,7 @@ export const strings = {
 
   topics: {
     document: "Document",
+    mode: "Modes",
     view: "View and grid",
     draw: "Drawing",
     select: "Selection",

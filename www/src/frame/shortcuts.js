@@ -10,6 +10,8 @@ import { saving } from "./file-menu.js";
 const PAST_FIELDS = ["undo", "redo"];
 /** Topics whose keys belong to the canvas: elsewhere Delete must not take a point away. */
 const ON_CANVAS = ["select", "points"];
+/** Topics whose keys work in each mode but the figure, where all do. @type {{[mode: string]: string[]}} */
+const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"] };
 
 /**
  * @param {App} app
@@ -25,10 +27,12 @@ export function listenToShortcuts(app, { togglePlay, choose }) {
       const typed = target instanceof HTMLInputElement && target.value !== target.defaultValue;
       if (typed || !command || !PAST_FIELDS.includes(command.name)) return;
     }
+    const { mode } = app.ui.value;
     if (command) {
+      if (IN_MODE[mode] && !IN_MODE[mode].includes(command.topic)) return;
       if (target instanceof HTMLSelectElement || (ON_CANVAS.includes(command.topic) && !isOnCanvas(target))) return;
       runCommand(app, command.name);
-    } else if (event.key === " " && !hasOwnSpace(target) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+    } else if (event.key === " " && mode === "figure" && !hasOwnSpace(target) && !event.ctrlKey && !event.altKey && !event.metaKey) {
       togglePlay();
     } else return;
     event.preventDefault();

@@ -23,7 +23,11 @@ export function createStatus(app) {
   return {
     render() {
       const { match, matched, problem, ms, slow } = app.results.value;
-      const { note, drawing } = app.ui.value;
+      const { mode, note, drawing } = app.ui.value;
+      if (mode !== "figure") {
+        drawn = "";
+        return;
+      }
       const fresh = matched === app.store.document;
       const key = JSON.stringify([match?.totals, match?.ok, match?.gap, match?.coarse, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;
@@ -173,9 +177,9 @@ function repair(app) {
   app.store.commit({ change: (document) => patch(document, "matching", { policy: "repair" }) });
 }
 
-/** A gap in per cent, to a tenth. @param {number} gap */
+/** A gap in per cent, to a tenth; lines off the samples may lie above the optimum between these. @param {number} gap */
 function gapText(gap) {
-  return Math.abs(gap) < 5e-4 ? "0" : `${fixed(gap * 100, 1)}\u00a0%`;
+  return gap < 5e-4 ? "0" : `${fixed(gap * 100, 1)}\u00a0%`;
 }
 
 /** @param {string} name @param {...Node} parts */

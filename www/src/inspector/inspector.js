@@ -3,6 +3,10 @@
  *
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
+ *
+ * @typedef {object} Memory Which groups are open, and which is shown on a phone.
+ * @property {() => {open: string[], tab: string}} read
+ * @property {(patch: {open?: string[], tab?: string}) => void} write
  */
 import { attribute, find, h, write } from "../dom.js";
 import { icon } from "../icons.js";
@@ -19,44 +23,59 @@ export const FIRST_OPEN = ["curves", "matching", "materials", "layers"];
 
 /** @param {App} app */
 export function createInspector(app) {
-  const narrow = matchMedia("(width < 600px)");
-  const sections = [
+  const groups = [
     curvesGroup(app),
     samplingGroup(app),
     matchingGroup(app),
     blendGroup(app),
     materialsGroup(app),
     layersGroup(app),
-  ].map((group) => createSection(app, group));
+  ];
+  return createGroups(find("#groups"), strings.sheet.tabs, groups, {
+    read: () => app.ui.value,
+    write: (patch) => app.ui.set(patch),
+  });
+}
+
+/**
+ * Groups one below the other that open and close, or tabs on a phone.
+ * @param {HTMLElement} place
+ * @param {string} label of the tabs
+ * @param {Group[]} groups
+ * @param {Memory} memory
+ */
+export function createGroups(place, label, groups, memory) {
+  const narrow = matchMedia("(width < 600px)");
+  const sections = groups.map((group) => createSection(memory, group));
   const tabs = h(
     "div",
-    { class: "tabs", role: "tablist", "aria-label": strings.sheet.tabs },
+    { class: "tabs", role: "tablist", "aria-label": label },
     ...sections.map(({ tab }) => tab),
   );
   tabs.addEventListener("keydown", (event) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (by === undefined) return;
-    const here = sections.findIndex(({ name }) => name === app.ui.value.tab);
+    const here = sections.findIndex(({ name }) => name === memory.read().tab);
     const next = sections[(here + by + sections.length) % sections.length];
     if (!next) return;
-    app.ui.set({ tab: next.name });
+    memory.write({ tab: next.name });
     next.tab.focus();
   });
-  find("#groups").append(tabs, ...sections.map(({ element }) => element));
+  place.append(tabs, ...sections.map(({ element }) => element));
 
   return {
     render() {
-      const { open, tab } = app.ui.value;
+      const { open, tab } = memory.read();
       for (const section of sections) section.render(narrow.matches, open, tab);
     },
   };
 }
 
 /**
- * @param {App} app
+ * @param {Memory} memory
  * @param {Group} group
  */
-function createSection(app, group) {
+function createSection(memory, group) {
   const { name, heading, body, phrase, render, commands = [] } = group;
   const down = icon("down");
   const aside = h("span", { class: "aside number" });
@@ -68,8 +87,8 @@ function createSection(app, group) {
     aside,
   );
   button.addEventListener("click", () => {
-    const { open } = app.ui.value;
-    app.ui.set({ open: open.includes(name) ? open.filter((other) => other !== name) : [...open, name] });
+    const { open } = memory.read();
+    memory.write({ open: open.includes(name) ? open.filter((other) => other !== name) : [...open, name] });
   });
   body.id = `group-${name}`;
   body.classList.add("group-body");
@@ -84,7 +103,7 @@ function createSection(app, group) {
     { type: "button", role: "tab", id: `tab-${name}`, "aria-controls": `group-${name}`, "data-tab": name },
     heading,
   );
-  tab.addEventListener("click", () => app.ui.set({ tab: name }));
+  tab.addEventListener("click", () => memory.write({ tab: name }));
 
   return {
     name,

@@ -82,7 +82,7 @@ export function createMatchingFields(app) {
       ],
     },
     (value) => {
-      single.open = value === "printed";
+      more.open = value === "printed";
       app.store.commit({ change: (document) => printAll(document, value === "printed") });
     },
   );
@@ -92,12 +92,6 @@ export function createMatchingFields(app) {
       app.store.commit({ change: (document) => printRule(document, rule, on) }),
     ),
   }));
-  const single = h(
-    "details",
-    { class: "plot", "data-printed": "" },
-    h("summary", {}, words.single),
-    h("div", { class: "matching-rules" }, ...boxes.map(({ element }) => element)),
-  );
   /**
    * @param {"normalWeight" | "distanceWeight" | "alignmentWeight"} name
    * @param {string} label
@@ -128,6 +122,7 @@ export function createMatchingFields(app) {
     "details",
     { class: "plot", "data-more": "" },
     h("summary", {}, words.more),
+    h("div", { class: "matching-rules", role: "group", "aria-label": words.single }, ...boxes.map(({ element }) => element)),
     row(words.alignmentWeight, ...alignment.controls),
     row(words.negative, negative),
   );
@@ -168,10 +163,8 @@ export function createMatchingFields(app) {
   plot.addEventListener("toggle", () => correspondence.render());
 
   const rows = {
-    about,
     price: row(words.price, price),
     shift: row(words.shift, shiftKind, shift),
-    single,
     policy: row(words.infeasible, policy),
   };
   const element = h(
@@ -182,7 +175,6 @@ export function createMatchingFields(app) {
     rows.price,
     rows.shift,
     row(words.rules, rules),
-    single,
     row(words.normalWeight, ...normal.controls),
     row(words.distanceWeight, ...distance.controls),
     rows.policy,

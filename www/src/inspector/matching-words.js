@@ -33,7 +33,7 @@ export const words = {
   rules: "Rules",
   repaired: "Repaired",
   asPrinted: "As printed",
-  single: "Single rules",
+  single: "Single rules as printed",
   printed: {
     normals: "Second normal inwards",
     negative: "Negative products as c^w",
@@ -44,7 +44,7 @@ export const words = {
   },
   normalWeight: "Normal weight",
   distanceWeight: "Distance weight",
-  more: "Alignment, negative products",
+  more: "Single rules, alignment, negative",
   alignmentWeight: "Alignment",
   alignmentField: "Alignment weight",
   negative: "Negative",

@@ -6,14 +6,15 @@
  * @import { Explanation, Point, Standing } from "../types.js"
  */
 import { h } from "../dom.js";
-import { editable, fixed, length } from "../format.js";
+import { fixed, length } from "../format.js";
 import { openPanel } from "../frame/panel.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { problem } from "../painter.js";
 import { curveName, currentMatch } from "../state/app.js";
-import { inSentence } from "../strings.js";
 import { shownLines } from "../state/lines.js";
+import { inSentence } from "../strings.js";
+import { toScreen } from "../view.js";
 import { pinLine, pinsOf } from "./pin-edits.js";
 import { pinAt, pinOf } from "./pins.js";
 import { words as all } from "./words.js";
@@ -50,6 +51,16 @@ export function createExplainPanel(app, contend) {
     app.say(spoken(app, found));
   }
 
+  /** Puts the panel where the line is not. @param {number} line */
+  function stand(line) {
+    const { view, size } = app.ui.value;
+    const ends = shownLines(currentMatch(app))[line];
+    if (!panel || !view || !ends) return;
+    const [a, b] = [ends.from, ends.to].map((at) => toScreen(view, size, at));
+    panel.element.dataset.across = a[0] + b[0] < size.width ? "right" : "left";
+    panel.element.dataset.down = a[1] + b[1] < size.height ? "bottom" : "top";
+  }
+
   function close() {
     shown = null;
     contend([]);
@@ -82,6 +93,7 @@ export function createExplainPanel(app, contend) {
           },
         });
       }
+      stand(line);
       void fill(line);
     },
   };
@@ -99,13 +111,12 @@ const part = (label, value, factor) =>
 function partsOf(app, { value, cosine, length: long, alignment, factors }) {
   const { matching, unit } = app.store.document;
   const times = (/** @type {number} */ factor) => h("span", {}, "× ", numberNode(factor));
-  const named = (/** @type {string} */ name, /** @type {number} */ weight) => words.factor(name, editable(weight, 0));
   return [
     h("div", { class: "explain-value" }, symbol("f"), h("span", {}, " = "), h("strong", {}, numberNode(value))),
-    part(named(words.normals, matching.normalWeight), fixed(cosine, 3), times(factors[0])),
-    part(named(words.length, matching.distanceWeight), length(long, unit), times(factors[1])),
+    part(words.normals, fixed(cosine, 3), times(factors[0])),
+    part(words.length, length(long, unit), times(factors[1])),
     ...(matching.alignmentWeight > 0
-      ? [part(named(words.alignment, matching.alignmentWeight), fixed(alignment, 3), times(factors[2]))]
+      ? [part(words.alignment, fixed(alignment, 3), times(factors[2]))]
       : []),
   ];
 }

@@ -19,6 +19,9 @@ const IN = 400;
 const BAR = 160;
 const SHORT_BAR = 110;
 const NARROW = 1060;
+/** Height that the switch of modes takes at the upper edge: of a narrow canvas nearly all, of a wide one only the corner. */
+const SWITCH = { narrow: 44, wide: 16 };
+const PHONE = 600;
 
 /** @param {App} app */
 export function zoomLimits(app) {
@@ -27,18 +30,19 @@ export function zoomLimits(app) {
 }
 
 /**
- * Shows everything, clear of what stands at the lower edge of the canvas.
+ * Shows everything, clear of what stands at the upper and the lower edge of the canvas.
  * @param {App} app
  */
 export async function fit(app) {
   const { size } = app.ui.value;
   if (size.width < 1 || size.height < 1) return;
   const covered = find("#morph").offsetHeight;
-  const free = { width: size.width, height: Math.max(1, size.height - covered) };
+  const above = size.width < PHONE ? SWITCH.narrow : SWITCH.wide;
+  const free = { width: size.width, height: Math.max(1, size.height - covered - above) };
   const { document } = app.store;
   const view = await app.kernel.fit(document, devicePixels(free, 1));
   if (app.store.document !== document) return;
-  const center = /** @type {Point} */ ([view.center[0], view.center[1] - covered / 2 / view.scale]);
+  const center = /** @type {Point} */ ([view.center[0], view.center[1] + (above - covered) / 2 / view.scale]);
   app.ui.set({ view: { center, scale: view.scale }, fitted: true, fitScale: view.scale });
 }
 

@@ -8,6 +8,7 @@
  * @property {string} text
  *
  * @typedef {object} Ui
+ * @property {"figure" | "steps" | "compare"} mode what the canvas is for
  * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit
  * @property {boolean} fitted the view follows the size of the window

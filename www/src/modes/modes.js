@@ -1,0 +1,90 @@
+/**
+ * What the canvas is for: the figure to edit, or another look at the same document. A switch at the upper left of the
+ * canvas goes from one to the other.
+ *
+ * @import { App } from "../state/app.js"
+ *
+ * @typedef {object} Place Where a mode other than the figure stands; emptied when it is left.
+ * @property {HTMLElement} stage over the canvas, below the switch
+ * @property {HTMLElement} aside in the inspector, in place of its groups
+ * @property {HTMLElement} status the status line, which is the mode's own as long as it is on
+ *
+ * @typedef {object} View
+ * @property {() => void} render
+ * @property {() => void} close gives up running work
+ *
+ * @typedef {object} Mode
+ * @property {App["ui"]["value"]["mode"]} name
+ * @property {string} text
+ * @property {() => Promise<(app: App, place: Place) => View>} [load] none for the figure itself
+ */
+import "../../styles/modes.css";
+import { segment } from "../controls/choices.js";
+import { find, h } from "../dom.js";
+import { problem } from "../painter.js";
+import { words } from "./words.js";
+
+/** @type {readonly Mode[]} */
+const MODES = [
+  { name: "figure", text: words.figure },
+  { name: "steps", text: words.steps, load: async () => (await import("../steps/steps.js")).createSteps },
+  {
+    name: "compare",
+    text: words.compare,
+    load: async () => (await import("../compare/compare.js")).createCompare,
+  },
+];
+
+/** @param {App} app */
+export function createModes(app) {
+  const { ui } = app;
+  const stage = h("div", { class: "mode-stage", "data-furniture": "" });
+  const aside = h("div", { class: "mode-aside" });
+  const control = segment(
+    { label: words.region, name: "mode", choices: MODES.map(({ name, text }) => ({ value: name, text })) },
+    (mode) => ui.set({ mode }),
+  );
+  const element = h("div", { class: "modes", "data-furniture": "" }, control.element);
+  find("#stage").append(stage, element);
+  find("#inspector").append(aside);
+
+  let shown = "figure";
+  /** @type {View | null} */
+  let view = null;
+
+  /** @param {Mode} mode */
+  async function enter({ name, load }) {
+    const held = stage.contains(document.activeElement) || aside.contains(document.activeElement);
+    shown = name;
+    view?.close();
+    view = null;
+    stage.replaceChildren();
+    aside.replaceChildren();
+    app.tool?.close();
+    document.documentElement.dataset.mode = name;
+    ui.set({ playing: false, probe: null });
+    control.set(name);
+    if (held) /** @type {HTMLElement | null} */ (element.querySelector("input:checked"))?.focus();
+    if (!load) return;
+    find("#status").replaceChildren();
+    try {
+      const create = await load();
+      if (shown !== name) return;
+      view = create(app, { stage, aside, status: find("#status") });
+      view.render();
+    } catch (error) {
+      ui.set({ mode: "figure", note: { tone: "error", text: words.failed(problem(error).message) } });
+    }
+  }
+
+  return {
+    render() {
+      const { mode } = ui.value;
+      const known = MODES.find(({ name }) => name === mode);
+      if (!known) ui.set({ mode: "figure" });
+      else if (shown !== mode) void enter(known);
+      else view?.render();
+      control.set(known?.name ?? "figure");
+    },
+  };
+}

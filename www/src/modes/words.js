@@ -1,0 +1,8 @@
+/** What the switch of modes says. */
+export const words = {
+  region: "Modes",
+  figure: "Figure",
+  steps: "Steps",
+  compare: "Compare",
+  failed: (/** @type {string} */ reason) => `That mode could not be loaded: ${reason}.`,
+};

@@ -1,0 +1,626 @@
+/**
+ * The step view: the greedy growth, the removal of redundant lines and both passes of insertion, one step after the other, on the curves
+ * of the document.
+ *
+ * @import { App, Tool } from "../state/app.js"
+ * @import { CurvesDocument, Point } from "../types.js"
+ * @import { Place } from "../modes/modes.js"
+ * @import { Steps, VertexSets } from "../../../js/directrix.js"
+ * @import { Prediction } from "./prediction.js"
+ * @import { Now } from "./groups.js"
+ * @import { Vertex } from "./picture.js"
+ */
+import "../../styles/steps.css";
+import { attribute, h, write } from "../dom.js";
+import { explain } from "../explain.js";
+import { milliseconds, significantText } from "../format.js";
+import { symbol } from "../icons.js";
+import { createGroups } from "../inspector/inspector.js";
+import { numberNode } from "../number-node.js";
+import { problem } from "../painter.js";
+import { fit } from "../stage/zoom.js";
+import { Lane } from "../state/lane.js";
+import { shownTotals } from "../state/lines.js";
+import { toScreen } from "../view.js";
+import { CODE, lineName, phaseAt, sceneAt, totalOf, vertexName } from "./film.js";
+import { createStepGroups } from "./groups.js";
+import { createPicture } from "./picture.js";
+import { answered, begun, isHidden } from "./prediction.js";
+import { createTransport } from "./transport.js";
+import { words } from "./words.js";
+
+/** Milliseconds of a step at the speed 1. */
+const BEAT = 500;
+/** Distance of a press from a vertex, by pointer and by touch, CSS pixels. */
+const REACH = { mouse: 16, touch: 26 };
+
+/** Where the view stood when it was left, for the same document. @type {{document: CurvesDocument | null, at: number}} */
+let last = { document: null, at: 1 };
+/** Groups that are open, and the one on a phone, for as long as the page is open. */
+let memory = { open: ["growth", "step", "candidates"], tab: "step" };
+
+/**
+ * @param {App} app
+ * @param {Place} place
+ */
+export function createSteps(app, { stage, aside, status }) {
+  const { store, ui, kernel } = app;
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  /** @type {Steps | null} */
+  let steps = null;
+  /** @type {CurvesDocument | null} */
+  let asked = null;
+  /** @type {CurvesDocument | null} */
+  let shown = null;
+  /** Why there are no steps. */
+  let failure = "";
+  let ms = 0;
+  let at = last.document === store.document ? last.at : 1;
+  let playing = false;
+  let speed = 1;
+  /** The vertex that the person chose, in place of the one of the step. @type {Vertex | null} */
+  let chosen = null;
+  /** @type {Vertex | null} */
+  let hovered = null;
+  /** @type {Prediction | null} */
+  let prediction = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+  /** @type {Map<string, VertexSets>} */
+  const sets = new Map();
+  /** What is said once the sets are there. @type {string | null} */
+  let toSay = null;
+
+  const picture = createPicture();
+  const legend = h("div", { class: "steps-legend", "data-steps-legend": "" });
+  const message = h("p", { class: "steps-message", hidden: true });
+  const asking = h("div", { class: "steps-ask", "data-furniture": "", hidden: true });
+  const keyboard = h("div", {
+    id: "steps-keys",
+    class: "steps-keys",
+    tabIndex: 0,
+    role: "application",
+    "aria-label": words.keyboard,
+    "aria-describedby": "steps-help",
+  });
+  const help = h("p", { id: "steps-help", class: "spoken" }, words.keyboardHelp);
+  const transport = createTransport({
+    goTo: (next) => {
+      pause();
+      goTo(next);
+    },
+    goBy,
+    toggle,
+    setSpeed: (value) => (speed = value),
+    togglePrediction,
+  });
+  const foot = h("div", { class: "steps-foot" }, h("div", { class: "steps-head" }, legend, transport.predict), transport.element);
+  stage.append(/** @type {any} */ (picture.element), keyboard, help, message, asking, foot);
+  const groupsAt = h("div", { class: "steps-groups" });
+  aside.append(groupsAt);
+  const groups = createGroups(groupsAt, words.groups.region, createStepGroups(app, now, { goTo, follow }), {
+    read: () => memory,
+    write: (patch) => {
+      memory = { ...memory, ...patch };
+      render();
+    },
+  });
+
+  /** @type {Lane<CurvesDocument, {steps: Steps, ms: number}>} */
+  const lane = new Lane({
+    async work(document, signal) {
+      const started = performance.now();
+      return { steps: await kernel.steps(document, { signal }), ms: performance.now() - started };
+    },
+    done(result, document) {
+      steps = result.steps;
+      ms = result.ms;
+      failure = "";
+      begin(document);
+    },
+    failed(error, document) {
+      const { name } = problem(error);
+      if (name === "AbortError") return;
+      steps = null;
+      failure = explain(store.document, problem(error));
+      begin(document);
+    },
+  });
+
+  /** @type {Lane<{steps: Steps, key: string, step: number, vertex: Vertex}, VertexSets>} */
+  const setsLane = new Lane({
+    work: ({ step, vertex }, signal) => kernel.sets(/** @type {CurvesDocument} */ (shown), { step, ...vertex }, { signal }),
+    done(found, job) {
+      if (job.steps !== steps) return;
+      sets.set(job.key, found);
+      render();
+    },
+    // The step view says what is wrong with the document when it asks for the steps.
+    failed: () => {},
+  });
+
+  /** Shows the steps of a document from where it stood. @param {CurvesDocument} document */
+  function begin(document) {
+    shown = document;
+    sets.clear();
+    if (!steps || steps.growth.length === 0) pause();
+    prediction = prediction && steps ? begun(Math.min(at, steps.growth.length)) : null;
+    const counts = steps?.samples.map(({ points }) => points.length) ?? [];
+    if (chosen && chosen.vertex >= (counts[chosen.curve] ?? 0)) chosen = null;
+    at = Math.min(at, end());
+    last = { document, at };
+    render();
+  }
+
+  /** Asks for what the next step will show, so that playing does not blink. */
+  function fetchNext() {
+    const next = steps?.growth[at];
+    if (!steps || !next || hidden()) return;
+    const vertex = chosen ?? { curve: /** @type {const} */ (0), vertex: next.from };
+    const key = `${at} ${vertex.curve} ${vertex.vertex}`;
+    if (!sets.has(key)) setsLane.push({ steps, key, step: at, vertex });
+  }
+
+  const end = () => (steps ? totalOf(steps) : 0);
+  const hidden = () => steps !== null && isHidden(prediction, steps, at);
+
+  /** The vertex whose sets are shown, and after how many lines. @returns {{vertex: Vertex, step: number, key: string} | null} */
+  function focus() {
+    if (!steps || hidden()) return null;
+    const { phase } = phaseAt(steps, at);
+    const own = phase === "growth" ? steps.growth[at - 1] : undefined;
+    const vertex = chosen ?? (own ? { curve: /** @type {const} */ (0), vertex: own.from } : null);
+    if (!vertex || (phase !== "growth" && phase !== "start")) return null;
+    const step = Math.max(0, at - 1);
+    return { vertex, step, key: `${step} ${vertex.curve} ${vertex.vertex}` };
+  }
+
+  /** @returns {Now | null} */
+  function now() {
+    if (!steps) return null;
+    const on = focus();
+    const scene = sceneAt(steps, at);
+    if (hidden()) scene.code = CODE.ask;
+    else if (prediction?.told?.at === at) scene.code = CODE.accept;
+    return {
+      steps,
+      at,
+      scene,
+      hidden: hidden(),
+      focus: on?.vertex ?? null,
+      pinned: chosen !== null && on !== null,
+      sets: (on && sets.get(on.key)) ?? null,
+      prediction,
+    };
+  }
+
+  /** @param {number} next */
+  function goTo(next) {
+    if (!steps) return;
+    at = Math.min(end(), Math.max(0, next));
+    last = { document: shown, at };
+    if (ui.value.note) ui.set({ note: null });
+    if (prediction) prediction = { ...prediction, aim: null, told: prediction.told?.at === at ? prediction.told : null };
+    hovered = null;
+    if (!playing) say();
+    render();
+  }
+
+  /** @param {number} by */
+  function goBy(by) {
+    pause();
+    goTo(at + by);
+  }
+
+  function toggle() {
+    if (!steps || steps.growth.length === 0) return;
+    if (playing) {
+      pause();
+      say();
+      render();
+    } else if (still.matches || prediction) {
+      goTo(at === end() ? 0 : at + 1);
+    } else {
+      if (at === end()) goTo(0);
+      playing = true;
+      app.say(words.playing);
+      beat();
+      render();
+    }
+  }
+
+  function beat() {
+    timer = setTimeout(() => {
+      if (!playing) return;
+      goTo(at + 1);
+      if (at < end()) beat();
+      else {
+        pause();
+        say();
+        render();
+      }
+    }, BEAT / speed);
+  }
+
+  function pause() {
+    playing = false;
+    clearTimeout(timer);
+  }
+
+  function follow() {
+    chosen = null;
+    say();
+    render();
+  }
+
+  /** @param {Vertex | null} vertex */
+  function choose(vertex) {
+    chosen = vertex;
+    const on = focus();
+    toSay = on ? on.key : null;
+    render();
+  }
+
+  function togglePrediction() {
+    pause();
+    if (!steps) return;
+    if (prediction) {
+      prediction = null;
+      app.say(words.spokenStep(at, end()));
+    } else if (at >= steps.growth.length) {
+      app.say(words.predictOver);
+      ui.set({ note: { tone: "plain", text: words.predictOver } });
+      return;
+    } else {
+      chosen = null;
+      prediction = begun(at);
+      at += 1;
+      keyboard.focus({ preventScroll: true });
+      say();
+    }
+    render();
+  }
+
+  /** Takes a guess, and tells what it is worth. @param {number} guess vertex of the second curve */
+  async function answer(guess) {
+    const line = steps?.growth[at - 1];
+    if (!steps || !line || !prediction || !hidden()) return;
+    const [asking, step] = [steps, at];
+    try {
+      const found = await kernel.sets(/** @type {CurvesDocument} */ (shown), { step: step - 1, vertex: line.from });
+      if (steps !== asking || at !== step || !prediction || !hidden()) return;
+      sets.set(`${step - 1} 0 ${line.from}`, found);
+      prediction = answered(prediction, steps, step, found, guess);
+      hovered = null;
+      app.say(told() ?? "");
+      render();
+    } catch (error) {
+      ui.set({ note: { tone: "error", text: problem(error).message } });
+    }
+  }
+
+  /** The last answer in words, while its step is shown. */
+  function told() {
+    const { told, right = 0, tries = 0 } = prediction ?? {};
+    const line = steps?.growth[at - 1];
+    if (!told || told.at !== at || !line) return null;
+    const [guess, q] = [vertexName(1, told.guess), vertexName(1, line.to)];
+    const text = told.kind === "right" ? words.right(q) : words.wrong[told.kind](guess, q);
+    return `${text} ${words.score(right, tries)}.`;
+  }
+
+  /** The step in words. */
+  function spoken() {
+    if (!steps) return words.noSteps;
+    const { scene } = /** @type {Now} */ (now());
+    const line = scene.chosen;
+    const f = line ? significantText(line.value) : "";
+    if (hidden()) return words.ask(vertexName(0, line?.from ?? 0));
+    switch (scene.phase) {
+      case "start":
+        return words.spoken.start;
+      case "growth":
+        return words.spoken.growth(line ? lineName(line) : "", f, scene.lines.length);
+      case "removal":
+        return words.spoken.removal(line ? lineName(line) : "", f);
+      case "end":
+        return words.spoken.end(scene.lines.length);
+      default: {
+        const curve = scene.phase === "first" ? 0 : 1;
+        return words.spoken.insert(curve, line ? vertexName(1 - curve, curve === 0 ? line.to : line.from) : "", f);
+      }
+    }
+  }
+
+  function say() {
+    toSay = null;
+    app.say(`${words.spokenStep(at, end())}: ${spoken()}`);
+  }
+
+  /** Says what the chosen vertex sees and may have, once that is known. @param {string} key @param {VertexSets} found */
+  function saySets(key, found) {
+    if (toSay !== key || !chosen) return;
+    toSay = null;
+    const { curve, vertex } = chosen;
+    const candidates = found.visible.filter(({ candidate }) => candidate);
+    const [best] = candidates;
+    const sentence = words.spoken.sets(vertexName(curve, vertex), found.visible.length, found.valid.length, candidates.length);
+    app.say(best ? `${sentence}, ${words.spoken.best(vertexName(1 - curve, best.vertex), significantText(best.value))}` : sentence);
+  }
+
+  /** The vertex nearest to a place on the screen. @param {Point} place @param {number} reach @returns {Vertex | null} */
+  function under(place, reach) {
+    const { view, size } = ui.value;
+    if (!view || !steps) return null;
+    /** @type {Vertex | null} */
+    let found = null;
+    let least = reach;
+    steps.samples.forEach(({ points }, curve) => {
+      if (hidden() && curve === 0) return;
+      points.forEach((point, vertex) => {
+        const [x, y] = toScreen(view, size, point);
+        const distance = Math.hypot(x - place[0], y - place[1]);
+        if (distance < least) [least, found] = [distance, { curve: curve === 0 ? 0 : 1, vertex }];
+      });
+    });
+    return found;
+  }
+
+  /** Chooses the next vertex along a curve, or aims at it. @param {number} by */
+  function moveAlong(by) {
+    const line = steps?.growth[at - 1];
+    const from = hidden() ? aimed() : (focus()?.vertex ?? { curve: /** @type {const} */ (0), vertex: line?.from ?? 0 });
+    const count = steps?.samples[from.curve]?.points.length ?? 0;
+    if (count === 0) return;
+    const vertex = (from.vertex + by + count) % count;
+    if (!hidden() || !prediction) return choose({ curve: from.curve, vertex });
+    prediction = { ...prediction, aim: vertex };
+    app.say(words.aim(vertexName(1, vertex)));
+    render();
+  }
+
+  /** The vertex aimed at; at first the nearest to the start of the line. @returns {Vertex} */
+  function aimed() {
+    const { view, size } = ui.value;
+    const start = steps?.growth[at - 1]?.from;
+    const point = start === undefined ? undefined : steps?.samples[0]?.points[start];
+    const near = prediction?.aim ?? (view && point ? under(toScreen(view, size, point), Infinity)?.vertex : null);
+    return { curve: 1, vertex: near ?? 0 };
+  }
+
+  /** Chooses the end on the other curve of the line of the step, or the vertex nearest to the chosen one. */
+  function changeCurve() {
+    const { view, size } = ui.value;
+    const from = focus()?.vertex;
+    const line = steps?.growth[Math.max(0, at - 1)];
+    if (!steps || !view || !from || hidden()) return;
+    const curve = from.curve === 0 ? 1 : 0;
+    const isOwn = line && (from.curve === 0 ? line.from : line.to) === from.vertex;
+    if (line && isOwn) return choose({ curve, vertex: curve === 0 ? line.from : line.to });
+    const [x, y] = toScreen(view, size, steps.samples[from.curve]?.points[from.vertex] ?? [0, 0]);
+    const distances = (steps.samples[curve]?.points ?? []).map((point) => {
+      const [px, py] = toScreen(view, size, point);
+      return Math.hypot(px - x, py - y);
+    });
+    choose({ curve, vertex: distances.indexOf(Math.min(...distances)) });
+  }
+
+  /** @type {Tool} */
+  const tool = {
+    hover(place) {
+      const vertex = place ? under(place, REACH.mouse) : null;
+      if (vertex?.curve === hovered?.curve && vertex?.vertex === hovered?.vertex) return;
+      hovered = vertex;
+      render();
+    },
+    tap(place, event) {
+      const vertex = under(place, event.pointerType === "touch" ? REACH.touch : REACH.mouse);
+      keyboard.focus({ preventScroll: true });
+      if (hidden()) {
+        if (vertex) void answer(vertex.vertex);
+        return;
+      }
+      const isSame = vertex && chosen && vertex.curve === chosen.curve && vertex.vertex === chosen.vertex;
+      if (!vertex || isSame) follow();
+      else choose(vertex);
+    },
+    stroke: () => null,
+    render() {},
+    close() {
+      if (app.tool === tool) app.tool = null;
+    },
+  };
+
+  const over = new AbortController();
+  addEventListener("keydown", key, { signal: over.signal });
+
+  /** @param {KeyboardEvent} event */
+  function key(event) {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !steps) return;
+    const target = event.target instanceof Element ? event.target : null;
+    if (target?.closest("input, select, textarea, [data-panel], [role=menu], [role=tab]")) return;
+    const onButton = target !== null && target.closest("button, a") !== null;
+    const onCanvas = target === keyboard;
+    const inAside = target !== null && aside.contains(target);
+    const along = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (along !== undefined) {
+      if (onCanvas || hidden()) moveAlong(along);
+      else goBy(along);
+    } else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && onCanvas) changeCurve();
+    else if (event.key === "PageDown" && !inAside) goBy(1);
+    else if (event.key === "PageUp" && !inAside) goBy(-1);
+    else if (event.key === "Home" && !inAside) goTo(0);
+    else if (event.key === "End" && !inAside) goTo(Infinity);
+    else if (event.key === " " && !onButton) toggle();
+    else if (event.key === "Enter" && !onButton && prediction) {
+      if (hidden()) void answer(aimed().vertex);
+      else goBy(1);
+    } else if (event.key === "Escape" && (chosen || prediction)) {
+      if (chosen) follow();
+      else togglePrediction();
+    } else return;
+    event.preventDefault();
+  }
+
+  // The lower edge is this view's own from now on.
+  requestAnimationFrame(() => {
+    if (ui.value.fitted) void fit(app).catch(() => {});
+  });
+
+  function render() {
+    const { document } = store;
+    if (asked !== document) {
+      asked = document;
+      lane.push(document);
+    }
+    if (app.tool !== tool) {
+      app.tool?.close();
+      app.tool = tool;
+    }
+    const { view, size } = ui.value;
+    const on = focus();
+    const found = on ? sets.get(on.key) : undefined;
+    if (on && found) {
+      saySets(on.key, found);
+      fetchNext();
+    } else if (on && steps) setsLane.push({ steps, key: on.key, step: on.step, vertex: on.vertex });
+
+    const state = now();
+    const isEmpty = !steps || steps.growth.length === 0;
+    message.hidden = !isEmpty;
+    write(message, isEmpty ? why() : "");
+    foot.hidden = isEmpty;
+    if (!state || isEmpty || shown?.curves.length !== document.curves.length) picture.clear();
+    else if (view) {
+      const aim = hidden() && !hovered && prediction?.aim !== null ? aimed() : hovered;
+      const guess = prediction?.told?.at === at && prediction.told.kind !== "right" ? prediction.told.guess : null;
+      const ownEnd = hidden() && state.scene.chosen ? { curve: /** @type {const} */ (0), vertex: state.scene.chosen.from ?? 0 } : null;
+      picture.draw({ view, size, document: shown, steps: state.steps, scene: state.scene, hidden: state.hidden, focus: state.focus ?? ownEnd, sets: state.sets, aim, guess });
+      const text = `${words.spokenStep(at, end())}: ${spoken()}`;
+      attribute(picture.element, "aria-label", words.picture(document.title, text));
+      transport.render({ steps: state.steps, at, total: end(), text, playing, still: still.matches, predicting: prediction !== null });
+      drawLegend(state);
+    }
+    stage.dataset.step = String(at);
+    stage.dataset.phase = state?.scene.phase ?? "";
+    stage.dataset.hidden = String(hidden());
+    stage.parentElement?.classList.toggle("steps-hover", hovered !== null);
+    drawAsking();
+    groups.render();
+    drawStatus(state);
+  }
+
+  /** Why there is nothing to show. */
+  function why() {
+    if (failure) return failure;
+    if (store.document.curves.length < 2) return words.needsTwo;
+    if (!steps) return "";
+    return steps.diagnostics.find(({ code }) => code !== "corner")?.message ?? words.noSteps;
+  }
+
+  let askingDrawn = "";
+  function drawAsking() {
+    const line = steps?.growth[at - 1];
+    const text = hidden() && line ? words.askShort(vertexName(0, line.from)) : told();
+    asking.hidden = !prediction || !text;
+    const key = `${text} ${hidden()}`;
+    if (asking.hidden || key === askingDrawn) return;
+    askingDrawn = key;
+    const isNext = !hidden() && steps !== null && at < steps.growth.length;
+    const verdict = prediction?.told && !hidden() ? (prediction.told.kind === "right" ? "right" : "wrong") : "";
+    asking.dataset.verdict = verdict;
+    asking.replaceChildren(
+      h("span", {}, text ?? ""),
+      ...(isNext ? [h("button", { type: "button", class: "command-word", "data-steps": "next", onclick: () => goBy(1) }, words.next)] : []),
+    );
+  }
+
+  let legendDrawn = "";
+  /** @param {Now} state */
+  function drawLegend({ scene, sets: found, focus: on, hidden: isSecret }) {
+    const key = JSON.stringify([at, isSecret, on, found?.visible.length, scene.lines.length]);
+    if (key === legendDrawn) return;
+    legendDrawn = key;
+    const item = (/** @type {string} */ mark, /** @type {number | null} */ count, /** @type {string} */ text) =>
+      h("span", { class: "steps-key", "data-key": mark }, h("i", { class: `key-${mark}` }), ...(count === null ? [] : [h("span", { class: "strong number" }, String(count))]), h("span", {}, text));
+    const l = words.legend;
+    const items = [];
+    if (scene.phase === "growth" || scene.phase === "start") items.push(item("accepted", scene.lines.length, l.accepted(scene.lines.length)));
+    else items.push(item("accepted", scene.lines.length - scene.redundant.length, l.lines(scene.lines.length - scene.redundant.length)));
+    if (found && on) {
+      const candidates = found.visible.filter(({ candidate }) => candidate).length;
+      items.push(
+        item("visible", found.visible.length, l.visible(vertexName(on.curve, on.vertex))),
+        item("valid", found.valid.length, l.valid(found.valid.length)),
+        item("candidates", candidates, l.candidates(candidates)),
+      );
+    }
+    if (scene.phase === "removal") items.push(item("redundant", scene.redundant.length, l.redundant));
+    if (scene.left) items.push(item("left", null, l.from));
+    if (scene.chosen && !isSecret) {
+      const text = { removal: l.removed, first: l.moved, second: l.moved, growth: l.winner, start: l.winner, end: l.winner }[scene.phase];
+      items.push(item("winner", 1, text));
+    }
+    legend.replaceChildren(...items);
+  }
+
+  let statusDrawn = "";
+  /** @param {Now | null} state */
+  function drawStatus(state) {
+    const { note } = ui.value;
+    const totals = state && (state.scene.phase === "end" ? shownTotals(state.steps) : null);
+    const lines = state ? [...state.scene.lines, ...(state.scene.chosen && state.scene.phase !== "removal" && !state.hidden && state.scene.phase !== "growth" ? [state.scene.chosen] : [])] : [];
+    const key = JSON.stringify([at, state?.hidden, lines.length, ms, note, failure, why()]);
+    if (key === statusDrawn && status.childElementCount > 0) return;
+    statusDrawn = key;
+    const item = (/** @type {string} */ name, /** @type {(string | Node)[]} */ ...parts) => h("span", { class: "item", "data-total": name }, ...parts);
+    const strong = (/** @type {string | Node} */ text) => h("span", { class: "strong number" }, text);
+    const w = words.status;
+    const [a = 0, b = 0] = state ? state.scene.degrees.map((each, curve) => each.filter((degree, k) => degree - ownEnd(state, curve, k) === 0).length) : [];
+    const left =
+      !state || lines.length === undefined || foot.hidden
+        ? [h("span", { class: failure ? "failed reason" : "" }, why() || words.loading)]
+        : [
+            item("lines", strong(String(lines.length)), h("span", {}, w.lines(lines.length))),
+            item("sum", h("span", {}, w.sum), symbol("f"), strong(numberNode(lines.reduce((sum, { value }) => sum + value, 0)))),
+            ...(totals
+              ? [
+                  item("crossings", h("span", {}, w.crossings), strong(String(totals.crossings))),
+                  item("blocked", h("span", {}, w.blocked), strong(String(totals.blocked))),
+                ]
+              : []),
+            ...(state.scene.phase === "end" && state.steps.pairs.length > 0
+              ? []
+              : [item("uncovered", h("span", {}, w.uncovered), strong(a + b === 0 ? "0" : `${a} + ${b}`))]),
+          ];
+    const right = note
+      ? [h("span", { class: note.tone === "error" ? "failed reason" : "" }, note.text)]
+      : state && !foot.hidden
+        ? [h("span", { class: "number" }, `${w.trace(end())} · ${milliseconds(ms)} ${w.ms}`)]
+        : [];
+    status.replaceChildren(h("div", { class: "certificates" }, ...left), h("div", { class: "remark" }, ...right));
+    status.dataset.verdict = failure ? "error" : "steps";
+  }
+
+  /** 1 where the line of a growing step ends, which is not accepted yet. @param {Now} state @param {number} curve @param {number} vertex */
+  function ownEnd({ scene }, curve, vertex) {
+    if (scene.phase !== "growth" || !scene.chosen) return 0;
+    return (curve === 0 ? scene.chosen.from : scene.chosen.to) === vertex ? 1 : 0;
+  }
+
+  return {
+    render,
+    close() {
+      pause();
+      over.abort();
+      lane.cancel();
+      setsLane.cancel();
+      tool.close();
+      stage.parentElement?.classList.remove("steps-hover");
+      for (const name of ["step", "phase", "hidden"]) delete stage.dataset[name];
+      requestAnimationFrame(() => {
+        if (ui.value.fitted) void fit(app).catch(() => {});
+      });
+    },
+  };
+}
