@@ -28,7 +28,12 @@ const end = (/** @type {string} */ name) => `<!-- end of ${name} -->`;
  */
 export async function reference(dx) {
   const presets = await readPresets();
-  const tables = { pairs: pairsTable(presets), greedy: greedyTable(dx, presets), "one-to-one": oneToOneTable(dx, presets) };
+  const tables = {
+    pairs: pairsTable(presets),
+    greedy: greedyTable(dx, presets),
+    "one-to-one": oneToOneTable(dx, presets),
+    methods: methodsTable(dx, presets),
+  };
   let page = await readFile(referencePage, "utf8");
   for (const [name, table] of Object.entries(tables)) {
     const [before, rest] = page.split(begin(name));
@@ -112,6 +117,37 @@ function oneToOneTable(dx, presets) {
   return table(head, ["", ...head.slice(1).map(() => "right")], rows);
 }
 
+/** Every method with the words of its row. @type {[string, CurvesDocument["matching"]][]} */
+const methods = [
+  ["by parameter", { method: "parameter" }],
+  ["best shift", { method: "shift" }],
+  ["one per vertex", { method: "one-per-vertex" }],
+  ["exact, Σ f", { method: "exact", objective: "sum" }],
+  ["greedy", { method: "greedy" }],
+  ["exact, J", { method: "exact" }],
+];
+
+/**
+ * @param {Directrix} dx
+ * @param {Preset[]} presets
+ */
+function methodsTable(dx, presets) {
+  const rows = presets.flatMap(({ title, document }) =>
+    methods.map(([name, own], k) => {
+      const { normalWeight, distanceWeight, negative } = document.matching;
+      const matching = { ...own, normalWeight, distanceWeight, negative, oneToOne: true };
+      const { totals, gap, gapKind } = dx.match({ ...document, matching });
+      const pair = k === 0 ? `**${title}**` : "";
+      if (!totals.pairs) return [pair, name, "–", "–", "–", "–", "–", "–", "–"];
+      const { count, mean, integral, eta, crossings, blocked } = totals.pairs;
+      const broken = [`${crossings}`, `${blocked}`];
+      return [pair, name, `${count}`, scientific(mean), scientific(integral), decimals(eta), ...broken, percent(gap, gapKind)];
+    }),
+  );
+  const head = ["pair", "method", "lines", "mean f", "J", "η", "crossings", "blocked", "gap"];
+  return table(head, ["", "", ...head.slice(2).map(() => "right")], rows);
+}
+
 /**
  * A table in Markdown.
  *
@@ -137,6 +173,18 @@ function scientific(value) {
   const [mantissa, exponent] = value.toExponential(3).split("e");
   const power = [...exponent.replace("+", "")].map((digit) => (digit === "-" ? "⁻" : raised[Number(digit)])).join("");
   return `${mantissa.replace("-", "−")} × 10${power}`;
+}
+
+/**
+ * A gap in per cent, marked where it is the last change of a refined optimum.
+ *
+ * @param {number | null} gap
+ * @param {"refined" | "lattice" | null} kind
+ */
+function percent(gap, kind) {
+  if (gap === null) return "–";
+  const text = `${(100 * gap).toFixed(kind === "refined" ? 3 : 2).replace("-", "−")} %`;
+  return kind === "refined" ? `± ${text}` : text;
 }
 
 /** @param {number | null} value */

@@ -34,11 +34,13 @@ pub(super) fn spread_evenly(
     })
 }
 
-/// Puts places that must be held among evenly spread ones: the nearest to each makes way, and so does every one that would be out of order.
+/// Puts places that must be held among evenly spread ones: the nearest to each makes way, and so does every one that would be out
+/// of order, or with one end so near that it could not be told from the held one.
 ///
-/// Both lists ascend strictly in cyclic order, within a lap.
+/// Both lists ascend in cyclic order, within a lap: `places` strictly; those that are held may share an end, and then still do.
 pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
     let mut kept: Vec<[f64; 2]> = Vec::with_capacity(held.len());
+    let least = LEAST_STEP / (2 * places.len().max(1)) as f64;
     let laps = |by: f64| move |place: &[f64; 2]| place.map(|share| share + by);
     for pin in held {
         let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
@@ -57,11 +59,12 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
         let fits = |place: &[f64; 2]| {
             [-1.0, 0.0, 1.0].into_iter().all(|lap| {
                 let [x, y] = laps(lap)(place);
-                (x < pin[0] && y < pin[1]) || (x > pin[0] && y > pin[1])
+                let [before, after] = [[pin[0] - x, pin[1] - y], [x - pin[0], y - pin[1]]];
+                before.iter().all(|&step| step > least) || after.iter().all(|&step| step > least)
             })
         };
-        places.retain(fits);
-        let at = places.partition_point(|place| place[0] < pin[0]);
+        places.retain(|place| kept.contains(place) || fits(place));
+        let at = places.partition_point(|place| mean(place) < mean(&pin));
         places.insert(at, pin);
         kept.push(pin);
     }
@@ -241,6 +244,27 @@ mod tests {
                 assert!(found.iter().any(is_pin), "case {case}: {pin:?}");
             }
             assert!(found.len() <= count.max(2), "case {case}");
+        }
+    }
+
+    #[test]
+    fn lines_of_a_fan_keep_off_the_end_of_a_held_place() {
+        for ulps in [-1, 0, 1] {
+            // One line leans on the vertex that the held one ends in, or lies a bit beside it.
+            let share = f64::from_bits((0.5_f64.to_bits() as i64 + ulps) as u64);
+            let mut places = vec![[0.1, 0.1], [share, 0.4], [0.52, 0.6], [0.8, 0.8]];
+            hold_places(&mut places, &[[0.5, 0.55]]);
+            assert_eq!(places, [[0.1, 0.1], [0.5, 0.55], [0.8, 0.8]]);
+        }
+        let mut places = vec![[0.1, 0.1], [0.3, 0.3], [0.6, 0.6], [0.8, 0.8]];
+        let held = [[0.5, 0.5], [0.5 + 1e-6, 0.5 + 1e-6]];
+        hold_places(&mut places, &held);
+        assert!(held.iter().all(|pin| places.contains(pin)), "held places may be as near as they like");
+        for held in [[[0.5, 0.5], [0.5, 0.7]], [[0.5, 0.7], [0.5, 0.5]], [[0.4, 0.5], [0.7, 0.5]]] {
+            let mut places = vec![[0.1, 0.1], [0.3, 0.3], [0.6, 0.6], [0.8, 0.8]];
+            hold_places(&mut places, &held);
+            assert!(held.iter().all(|pin| places.contains(pin)), "{places:?}");
+            assert!(places.windows(2).all(|w| w[0][0] <= w[1][0] && w[0][1] <= w[1][1]), "{places:?}");
         }
     }
 }

@@ -1,18 +1,19 @@
-//! A slow check of one-to-one pairs: plain geometry in floating point on whole lists, without lifts, grids or exact predicates.
+//! A slow check of lines and of one-to-one pairs: plain geometry in floating point on whole lists, without lifts, grids or exact predicates.
 
 use directrix::document::Model;
-use directrix::matching::OneToOne;
+use directrix::matching::{OneToOne, RulingLine};
 use glam::DVec2;
 
-/// What a set of pairs looks like from outside.
+/// What a set of lines looks like from outside.
 pub struct Picture {
-    /// Polygons through all samples and all ends of pairs, by ascending parameter in the domain.
     polygons: [Vec<DVec2>; 2],
     segments: Vec<(DVec2, DVec2)>,
     hair: f64,
 }
 
+#[allow(dead_code, reason = "each test program uses a part of them")]
 impl Picture {
+    /// Pairs, with polygons through all samples and all ends of pairs, by ascending parameter in the domain.
     pub fn of(model: &Model, pairs: &OneToOne) -> Self {
         let ends = |axis: usize| -> Vec<(f64, DVec2)> {
             let (lo, hi) = model.curves()[axis].domain();
@@ -34,6 +35,20 @@ impl Picture {
             all.into_iter().map(|(_, point)| point).collect::<Vec<_>>()
         });
         let segments = ends[0].iter().zip(&ends[1]).map(|(p, q)| (p.1, q.1)).collect();
+        Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal() }
+    }
+
+    /// Pairs, with the polygons that they were verified against, however fine.
+    pub fn as_verified(model: &Model, pairs: &OneToOne) -> Self {
+        let polygons = pairs.problem.outlines().each_ref().map(|outline| outline.points.clone());
+        Self { polygons, ..Self::of(model, pairs) }
+    }
+
+    /// Lines between samples.
+    pub fn of_lines(model: &Model, lines: &[RulingLine]) -> Self {
+        let samples = model.samples();
+        let polygons = [0, 1].map(|axis| samples[axis].points.clone());
+        let segments = lines.iter().map(|line| (polygons[0][line.from], polygons[1][line.to])).collect();
         Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal() }
     }
 
