@@ -13,6 +13,9 @@ export function createLines(app) {
   const panel = createExplainPanel(app, marks.contend);
   return {
     render() {
+      // Lines are explained on the figure alone; the other modes have the canvas to themselves.
+      const { mode, line } = app.ui.value;
+      if (mode !== "figure" && line !== null) app.ui.set({ line: null });
       marks.render();
       panel.render();
     },

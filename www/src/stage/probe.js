@@ -26,8 +26,6 @@ const NAMED = 3;
 /** Pixels from a curve at which the curve itself is read, and how far into the band its nearest line is looked for. */
 const ON_CURVE = 6;
 const INTO = [1, 3];
-/** Pixels from a line at which a click means it. */
-const ON_LINE = 8;
 /** Milliseconds that the pointer rests before its reading is spoken. */
 const REST = 600;
 
@@ -144,22 +142,8 @@ export function createProbe(app) {
   });
   keyboard.addEventListener("blur", () => hover(null));
 
-  /**
-   * The ruling line at a place: one that runs there, else the nearest in the band.
-   * @param {Point} at CSS pixels
-   */
-  async function lineAt(at) {
-    const { view, size } = app.ui.value;
-    if (!view) return null;
-    const { document } = app.store;
-    const aways = shownLines(currentMatch(app)).map(({ from, to }) =>
-      away(at, toScreen(view, size, from), toScreen(view, size, to)),
-    );
-    const nearest = aways.indexOf(Math.min(...aways));
-    if (nearest < 0 || aways[nearest] <= ON_LINE) return nearest < 0 ? null : nearest;
-    const found = await app.kernel.probe(document, toPlane(view, size, at)).catch(() => null);
-    return app.store.document === document ? (found?.line ?? null) : null;
-  }
+  /** The ruling line at a place. @param {Point} at CSS pixels */
+  const lineAt = async (at) => (await import("../lines/line-at.js")).lineAt(app, at);
 
   /** Explains the line at a place. @param {Point} at CSS pixels */
   async function pick(at) {
@@ -202,14 +186,6 @@ export function createProbe(app) {
 /** @param {Point[]} line @param {number} s @returns {Point} */
 function along([a = [0, 0], b = a], s) {
   return [a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s];
-}
-
-/** Distance of a place from a straight line. @param {Point} at @param {Point} a @param {Point} b */
-function away(at, a, b) {
-  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
-  const share = ((at[0] - a[0]) * dx + (at[1] - a[1]) * dy) / (dx * dx + dy * dy || 1);
-  const [x, y] = along([a, b], Math.min(1, Math.max(0, share)));
-  return Math.hypot(at[0] - x, at[1] - y);
 }
 
 /** The composition in words. @param {App} app @param {Reading} probe */
