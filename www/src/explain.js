@@ -57,7 +57,7 @@ export function advice({ ok, diagnostics, totals }) {
     return `${words.notCovered(a.length, b.length)} ${why}`;
   }
   // A whole result may still hold less than was asked for.
-  const [first] = ok ? diagnostics.filter(({ code }) => SHORTFALLS.includes(code)) : diagnostics;
+  const first = ok ? diagnostics.find(({ code }) => SHORTFALLS.includes(code)) : (has("unverified") ?? diagnostics[0]);
   if (!first) return null;
   const known = /** @type {{[code: string]: unknown}} */ (words)[first.code];
   return typeof known === "string" ? known : first.message;

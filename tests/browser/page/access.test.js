@@ -45,11 +45,12 @@ test("axe does find what is wrong", async (t) => {
   );
 });
 
-test("the order of Tab: bar, reading, inner curve, outer curve, morph, grid, zoom, inspector", async (t) => {
+test("the order of Tab: bar, modes, reading, inner curve, outer curve, morph, grid, zoom, inspector", async (t) => {
   const page = await openPage(t);
+  await page.waitForSelector("[data-segment=mode]");
   await page.locator("[data-action=theme]").focus();
   const order = [];
-  for (let i = 0; i < 11; i += 1) {
+  for (let i = 0; i < 12; i += 1) {
     await page.keyboard.press("Tab");
     order.push(
       await page.evaluate(() => {
@@ -57,6 +58,7 @@ test("the order of Tab: bar, reading, inner curve, outer curve, morph, grid, zoo
         return (
           e.id ||
           e.dataset.handle?.[0] ||
+          (e.matches("[data-segment=mode] input") ? "mode" : null) ||
           (e.dataset.play !== undefined ? "play" : null) ||
           e.dataset.slider ||
           e.dataset.zoom ||
@@ -65,7 +67,7 @@ test("the order of Tab: bar, reading, inner curve, outer curve, morph, grid, zoo
       }),
     );
   }
-  assert.deepEqual(order, ["probe-keys", "A", "B", "play", "s", "grid", "snap", "minus", "plus", "fit", "curves"]);
+  assert.deepEqual(order, ["mode", "probe-keys", "A", "B", "play", "s", "grid", "snap", "minus", "plus", "fit", "curves"]);
 });
 
 test("focus is always seen", async (t) => {

@@ -337,7 +337,7 @@ test("curves that cannot be matched, or are not there, are said so", async (t) =
   await page.waitForSelector("#status[data-verdict=error]");
   await page.locator("[data-segment=mode] input[value=compare]").check({ force: true });
   await eventually(async () => assert.match(await status(page), /crosses itself|curves touch/));
-  assert.match(await picture(page, "exact").innerText(), /crosses itself|curves touch/);
+  await eventually(async () => assert.match(await picture(page, "exact").innerText(), /crosses itself|curves touch/));
   await page.locator("[data-action=file]").click();
   await page.locator("[data-item=new]").click();
   await eventually(async () => assert.ok(await page.locator(".methods-empty").isVisible()));

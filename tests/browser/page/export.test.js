@@ -91,6 +91,8 @@ test("an SVG has the colours asked for", async (t) => {
 test("tables hold what the kernel says, digit for digit", async (t) => {
   const page = await openPage(t);
   const dx = await load({ module: "figure" });
+  await page.locator("[data-select=method]").selectOption("greedy");
+  await page.locator("[data-box=one-to-one]").uncheck();
   const document = await documentOf(page);
   const [match, stages] = [dx.match(document), dx.stages(document)];
   const rows = (/** @type {Buffer} */ text) => text.toString("utf8").trimEnd().split("\n").map((line) => line.split(","));

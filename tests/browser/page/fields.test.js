@@ -51,6 +51,7 @@ test("sampling, stages and the mode for negative products reach the document", a
   await field(page, "count-0").fill("30");
   await page.keyboard.press("Enter");
   await page.locator("[data-segment=scheme] input[value=parameter]").check({ force: true });
+  await page.locator("[data-more] summary").click();
   await page.locator("[data-segment=negative] input[value=clamp]").check({ force: true });
   await page.locator("[data-group-button=blend]").click();
   await field(page, "stages").fill("8");

@@ -33,6 +33,8 @@ const plot = (/** @type {import("playwright-core").Page} */ page) => page.locato
 
 test("lines become one to one, the plot, the probe and the status line follow, and undo takes it back", async (t) => {
   const page = await openPage(t);
+  await page.locator("[data-select=method]").selectOption("greedy");
+  await page.locator("[data-box=one-to-one]").uncheck();
   await page.locator("[data-plot] summary").click();
   await eventually(async () => assert.match((await plot(page).getAttribute("aria-label")) ?? "", /\d+ lines/));
   await page.locator("[data-box=one-to-one]").check();

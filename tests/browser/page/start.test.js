@@ -125,6 +125,7 @@ test("long work can be cancelled, and the last picture and the document stay", a
     page.locator("#picture").evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
   const before = await picture();
   await page.evaluate("globalThis.hold = true");
+  await page.locator("[data-more] summary").click();
   await page.locator("[data-segment=negative] input[value=half]").check({ force: true });
   const cancel = page.locator("[data-command=cancel]");
   await cancel.waitFor();

@@ -13,7 +13,7 @@ import { advice, explain } from "../explain.js";
 import { fixed, significantText } from "../format.js";
 import { symbol } from "../icons.js";
 import { devicePixels } from "../painter.js";
-import { shownLines } from "../state/lines.js";
+import { keptGaps, shownLines } from "../state/lines.js";
 import { outline } from "../spline.js";
 import { strings } from "../strings.js";
 import { toPlane } from "../view.js";
@@ -315,7 +315,10 @@ function textsOf(document, method, result, chosen) {
 function lineOf({ matching }, method, { match }) {
   const { line } = words.methods[method];
   const pins = matching.pins?.length ?? 0;
-  const after = pins === 0 ? "" : `, ${matching.method === "exact" && (method === "exact" || method === "sum") ? words.pinned(pins) : words.pinless}`;
+  const gaps = match ? keptGaps(match).length : 0;
+  const isExact = method === "exact" || method === "sum";
+  const after =
+    (pins === 0 ? "" : `, ${isExact ? words.pinned(pins) : words.pinless}`) + (gaps === 0 ? "" : `, ${words.gaps(gaps)}`);
   const [first] = match?.lines ?? [];
   if (method === "shift" && match && first) {
     const count = match.samples[1].points.length;

@@ -24,6 +24,7 @@ export const words = {
   shifted: (/** @type {number} */ by) => `one rotation for all lines, k = ${by}`,
   pinned: (/** @type {number} */ pins) => `${plural(pins, "pin", "pins")} kept`,
   pinless: "without the pins",
+  gaps: (/** @type {number} */ gaps) => plural(gaps, "gap keeps its fan", "gaps keep their fans"),
   crossings: (/** @type {number} */ count) => plural(count, "crossing", "crossings"),
   blocked: (/** @type {number} */ count) => `${count} blocked`,
   uncovered: (/** @type {number} */ a, /** @type {number} */ b) => `${a} + ${b} vertices not covered`,

@@ -67,7 +67,9 @@ function failures(match) {
   const totals = shownTotals(match);
   if (!totals) return 1;
   const { crossings, blocked, uncovered } = totals;
-  return crossings + blocked + uncovered[0].length + uncovered[1].length + keptGaps(match).length + occluded(match);
+  // Occluded lines go to vertices that no other line covers.
+  const bare = Math.max(uncovered[0].length + uncovered[1].length, occluded(match));
+  return crossings + blocked + bare + keptGaps(match).length;
 }
 
 /** Lines added by the policy `repair`. @param {Match} match */

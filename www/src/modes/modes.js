@@ -45,7 +45,8 @@ export function createModes(app) {
     (mode) => ui.set({ mode }),
   );
   const element = h("div", { class: "modes", "data-furniture": "" }, control.element);
-  find("#stage").append(stage, element);
+  // The switch comes before all else on the canvas for who goes by Tab.
+  find("#stage").prepend(element, stage);
   find("#inspector").append(aside);
 
   let shown = "figure";

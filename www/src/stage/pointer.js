@@ -152,7 +152,9 @@ export function listenToPointer(app, handles, probe, reading) {
   };
   stage.addEventListener("pointerup", up);
   stage.addEventListener("pointercancel", up);
-  stage.addEventListener("pointerleave", () => {
+  stage.addEventListener("pointerleave", (event) => {
+    // A finger leaves with every tap, and what it asked for stays.
+    if (event.pointerType === "touch") return;
     reading.show(null);
     if (app.tool) app.tool.hover(null);
     else probe.hover(null);

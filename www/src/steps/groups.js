@@ -20,7 +20,7 @@
  * @property {Prediction | null} prediction
  */
 import { h, write } from "../dom.js";
-import { fixed, significant } from "../format.js";
+import { fixed } from "../format.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
@@ -205,8 +205,9 @@ function tableOf(app, state) {
   const candidates = sets.visible.filter(({ candidate }) => candidate);
   const others = sets.visible.filter(({ candidate }) => !candidate);
   const most = Math.max(...sets.visible.map(({ value }) => value), 0);
-  const exponent = most > 0 ? Number(significant(most).exponent?.replace("\u2212", "-") ?? 0) : 0;
-  const shown = (/** @type {number} */ value) => fixed(value / 10 ** exponent, 2);
+  const power = most > 0 ? Math.floor(Math.log10(most)) : 0;
+  const exponent = power < -1 || power > 2 ? power : 0;
+  const shown = (/** @type {number} */ value) => fixed(value / 10 ** exponent, most / 10 ** exponent < 1 ? 3 : 2);
   const { chosen } = scene;
   const isNext = chosen && (focus.curve === 0 ? chosen.from : chosen.to) === focus.vertex;
   const highest = candidates[0]?.value ?? 0;
@@ -296,9 +297,11 @@ function acceptedGroup(now, { goTo }) {
         rows = (listed?.growth ?? []).map((line, k) =>
           h(
             "button",
-            { type: "button", class: "steps-line", "aria-label": words.goTo(k + 1, lineName(line)), onclick: () => goTo(k + 1) },
-            h("span", { class: "number" }, String(k + 1)),
+            { type: "button", class: "steps-line", onclick: () => goTo(k + 1) },
+            h("span", { class: "number" }, h("span", { class: "spoken" }, words.goTo), String(k + 1)),
+            " ",
             h("span", { class: "number" }, lineName(line)),
+            " ",
             h("span", { class: "number" }, numberNode(line.value)),
           ),
         );

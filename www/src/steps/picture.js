@@ -43,6 +43,7 @@ export function createPicture() {
     left: path("step-left"),
     curves: path("step-curves"),
     valid: path("step-valid"),
+    orphans: path("step-orphans"),
     vertices: path("step-vertices"),
     bare: path("step-bare"),
     inserted: path("step-vertices small"),
@@ -71,6 +72,12 @@ export function createPicture() {
     clear() {
       for (const layer of Object.values(layers)) attribute(layer, "d", "");
       names.replaceChildren();
+    },
+    /** The curves alone. @param {CurvesDocument} document @param {View} view @param {Size} size */
+    outlines(document, view, size) {
+      this.clear();
+      const d = document.curves.map((curve) => closed(polyline(curve).map((point) => toScreen(view, size, point)))).join("");
+      attribute(layers.curves, "d", d);
     },
     /** @param {Shown} shown */
     draw({ view, size, document, steps, scene, hidden, focus, sets, aim, guess }) {
@@ -105,6 +112,7 @@ export function createPicture() {
       const rings = (/** @type {Point[]} */ points = []) => points.map((point) => dot(at(point))).join("");
       put("vertices", rings([...(covered ?? []), ...(bare ?? [])]));
       put("bare", rings(bare));
+      put("orphans", scene.phase === "growth" || scene.phase === "start" ? "" : rings(bare));
       put("inserted", rings(scene.inserted));
       put("under", winner ? lines([winner]) : "");
       put("winner", winner ? lines([winner]) : "");

@@ -12,7 +12,7 @@
  */
 import "../../styles/steps.css";
 import { attribute, h, write } from "../dom.js";
-import { explain } from "../explain.js";
+import { advice, explain } from "../explain.js";
 import { milliseconds, significantText } from "../format.js";
 import { symbol } from "../icons.js";
 import { createGroups } from "../inspector/inspector.js";
@@ -109,8 +109,9 @@ export function createSteps(app, { stage, aside, status }) {
   /** @type {Lane<CurvesDocument, {steps: Steps, ms: number}>} */
   const lane = new Lane({
     async work(document, signal) {
-      const started = performance.now();
-      return { steps: await kernel.steps(document, { signal }), ms: performance.now() - started };
+      let spent = 0;
+      const onsolved = (/** @type {number} */ milliseconds) => (spent = milliseconds);
+      return { steps: await kernel.steps(document, { signal, onsolved }), ms: spent };
     },
     done(result, document) {
       steps = result.steps;
@@ -177,7 +178,7 @@ export function createSteps(app, { stage, aside, status }) {
 
   /** @returns {Now | null} */
   function now() {
-    if (!steps) return null;
+    if (!steps || steps.growth.length === 0) return null;
     const on = focus();
     const scene = sceneAt(steps, at);
     if (hidden()) scene.code = CODE.ask;
@@ -416,6 +417,7 @@ export function createSteps(app, { stage, aside, status }) {
     tap(place, event) {
       const vertex = under(place, event.pointerType === "touch" ? REACH.touch : REACH.mouse);
       keyboard.focus({ preventScroll: true });
+      keyboard.classList.remove("keyed");
       if (hidden()) {
         if (vertex) void answer(vertex.vertex);
         return;
@@ -436,6 +438,7 @@ export function createSteps(app, { stage, aside, status }) {
 
   /** @param {KeyboardEvent} event */
   function key(event) {
+    keyboard.classList.add("keyed");
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !steps) return;
     const target = event.target instanceof Element ? event.target : null;
     if (target?.closest("input, select, textarea, [data-panel], [role=menu], [role=tab]")) return;
@@ -490,8 +493,12 @@ export function createSteps(app, { stage, aside, status }) {
     message.hidden = !isEmpty;
     write(message, isEmpty ? why() : "");
     foot.hidden = isEmpty;
-    if (!state || isEmpty || shown?.curves.length !== document.curves.length) picture.clear();
-    else if (view) {
+    message.classList.toggle("below", document.curves.length > 1);
+    if (!shown || shown.curves.length !== document.curves.length) picture.clear();
+    else if (!state && view) {
+      picture.outlines(shown, view, size);
+      attribute(picture.element, "aria-label", words.picture(document.title, why()));
+    } else if (state && view) {
       const aim = hidden() && !hovered && prediction?.aim !== null ? aimed() : hovered;
       const guess = prediction?.told?.at === at && prediction.told.kind !== "right" ? prediction.told.guess : null;
       const ownEnd = hidden() && state.scene.chosen ? { curve: /** @type {const} */ (0), vertex: state.scene.chosen.from ?? 0 } : null;
@@ -515,7 +522,7 @@ export function createSteps(app, { stage, aside, status }) {
     if (failure) return failure;
     if (store.document.curves.length < 2) return words.needsTwo;
     if (!steps) return "";
-    return steps.diagnostics.find(({ code }) => code !== "corner")?.message ?? words.noSteps;
+    return advice(steps) || words.noSteps;
   }
 
   let askingDrawn = "";

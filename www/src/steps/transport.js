@@ -21,6 +21,8 @@ export const SPEEDS = [0.5, 1, 2, 4, 8];
 /** Height of the highest bar and least height of one, CSS pixels. */
 const HIGHEST = 20;
 const LOWEST = 2;
+/** Room that the name of a phase takes below the scrubber, CSS pixels. */
+const MARK = 56;
 
 /** Paths of the icons of first, back, forward and last. */
 const ICONS = {
@@ -77,6 +79,7 @@ export function createTransport(acts) {
   let drawn = "";
   /** @type {Steps | null} */
   let marked = null;
+  let markedAt = "";
 
   return {
     element,
@@ -115,7 +118,7 @@ export function createTransport(acts) {
   /** @param {Steps} steps @param {number} at @param {number} end */
   function drawBars(steps, at, end) {
     const width = scrubber.clientWidth;
-    const key = `${width} ${at} ${steps.growth.length} ${steps.growth[0]?.value}`;
+    const key = `${width} ${at} ${end}`;
     if (width === 0 || (key === drawn && marked === steps)) return;
     drawn = key;
     const all = values(steps);
@@ -132,8 +135,11 @@ export function createTransport(acts) {
 
   /** Names where the phases begin. @param {Steps} steps @param {number} end */
   function drawMarks(steps, end) {
-    if (marked === steps) return;
+    const width = scrubber.clientWidth;
+    const key = `${width} ${end} ${steps.growth.length}`;
+    if (width === 0 || (marked === steps && key === markedAt)) return;
     marked = steps;
+    markedAt = key;
     /** @type {Map<string, number>} */
     const starts = new Map();
     for (let at = 1; at < end; at++) {
@@ -141,9 +147,13 @@ export function createTransport(acts) {
       const name = phase === "second" ? "first" : phase;
       if (!starts.has(name)) starts.set(name, at);
     }
+    let free = width;
     marks.replaceChildren(
-      ...[...starts].map(([name, at]) => {
-        const mark = h("span", {}, words.marks[/** @type {keyof typeof words.marks} */ (name)] ?? "");
+      ...[...starts].reverse().map(([name, at]) => {
+        const place = (width * at) / end;
+        const fits = free - place > MARK;
+        if (fits) free = place;
+        const mark = h("span", {}, fits ? words.marks[/** @type {keyof typeof words.marks} */ (name)] : "");
         mark.style.left = `${(100 * at) / end}%`;
         return mark;
       }),

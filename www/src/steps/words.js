@@ -106,7 +106,7 @@ export const words = {
   hiddenNow: "Hidden until you have predicted.",
   acceptedOf: (/** @type {number} */ count, /** @type {number} */ most) => `${count} of at most ${most}`,
   noneYet: "none yet",
-  goTo: (/** @type {number} */ step, /** @type {string} */ line) => `Step ${step}, line ${line}`,
+  goTo: "Step ",
 
   gapPhrase: (/** @type {string} */ gap) => `gap in J ${gap}`,
   gapUnknown: "gap not known",
