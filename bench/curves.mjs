@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 const preset = async (/** @type {string} */ file) =>
   JSON.parse(await readFile(new URL(`../www/presets/${file}.json`, import.meta.url), "utf8"));
 const amoeba = await preset("amoeba");
+amoeba.matching = { ...amoeba.matching, method: "greedy", oneToOne: false };
 /** @type {any[]} */
 const presets = await Promise.all((await preset("index")).map((/** @type {{id: string}} */ { id }) => preset(id)));
 

@@ -188,4 +188,4 @@ function percent(gap, kind) {
 }
 
 /** @param {number | null} value */
-const decimals = (value) => (value === null ? "–" : value.toFixed(4));
+const decimals = (value) => (value === null ? "–" : value.toFixed(4).replace("-", "−"));

@@ -32,5 +32,12 @@ test("its figures are those of the matching, and its links lead somewhere", asyn
     const [, , count, , , , , verified, crossings, blocked] = line.split("|").map((cell) => cell.trim());
     assert.deepEqual([verified, crossings, blocked], [count, "0", "0"], line);
   }
+  const methods = page.split("## Every method")[1].split("\n").filter((line) => /^\| (\*\*.*\*\*)? \| /.test(line));
+  assert.equal(methods.length, 6 * index.length);
+  for (const line of methods.filter((line) => /\| (greedy|exact, J) \| \d/.test(line))) {
+    const cells = line.split("|").map((cell) => cell.trim());
+    assert.deepEqual([cells[7], cells[8]], ["0", "0"], line);
+    assert.match(cells[9], / %$/, line);
+  }
   for (const [, path] of page.matchAll(/(?:\]\(|src=")(\.\.\/[^)"]+)/g)) await access(new URL(path, new URL("../../docs/", import.meta.url)));
 });
