@@ -23,7 +23,6 @@ import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
-import { createEmpty } from "./stage/empty.js";
 import { listenToKeys } from "./stage/handle-keys.js";
 import { createHandles } from "./stage/handles.js";
 import { createLegend } from "./stage/legend.js";
@@ -162,7 +161,14 @@ function run(app) {
     handles,
     frameOf(app),
     { render: () => app.tool?.render() },
-    createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose }),
+    later(
+      app,
+      () => store.document.curves.length === 0,
+      async () => {
+        const { createEmpty } = await import("./stage/empty.js");
+        return () => createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose });
+      },
+    ),
     probe,
     createWitness(app),
     later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
