@@ -225,7 +225,7 @@ test("a click goes on working with a method, and undo takes it back", async (t) 
   assert.equal((await uiOf(page)).mode, "figure");
   const { matching } = await documentOf(page);
   assert.deepEqual([matching.method, matching.shift, matching.oneToOne], ["shift", "best", true]);
-  assert.match(await spoken(page), /Working with Best shift/);
+  await eventually(async () => assert.match(await spoken(page), /Working with Best shift/));
   assert.ok(await handle(page, "A1").isVisible());
   await page.keyboard.press("3");
   await eventually(async () => assert.equal(await picture(page, "shift").getAttribute("aria-current"), "true"));

@@ -1,15 +1,18 @@
 /** Documents that tests put into the page. */
+import assert from "node:assert/strict";
+import { documentOf, eventually } from "./workbench.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
 /**
  * Opens a document by the page's own way for files.
  * @param {Page} page
- * @param {object} document
+ * @param {{title?: string}} document
  */
-export function openAsFile(page, document) {
+export async function openAsFile(page, document) {
   const buffer = Buffer.from(JSON.stringify(document));
-  return page.locator("input[data-file]").setInputFiles({ name: "document.json", mimeType: "application/json", buffer });
+  await page.locator("input[data-file]").setInputFiles({ name: "opened.json", mimeType: "application/json", buffer });
+  await eventually(async () => assert.equal((await documentOf(page)).title, document.title));
 }
 
 /** A ring of eight control points. @param {number} radius @param {number} [x] of its middle @param {number} [height] */

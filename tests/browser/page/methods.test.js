@@ -29,6 +29,7 @@ test("every method reaches the document, and the status line says how far it sta
   await method(page).selectOption("parameter");
   await eventually(async () => assert.match(await status(page), /problem|heuristic/));
   await method(page).selectOption("shift");
+  await page.locator("[data-segment=shift]").waitFor();
   await page.locator("[data-segment=shift] input[value=number]").check({ force: true });
   await field(page, "shift").fill("5");
   await page.keyboard.press("Enter");
