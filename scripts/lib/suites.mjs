@@ -50,7 +50,7 @@ async function rustRunner(options, profile) {
 /**
  * A step that runs test files with Node.
  *
- * @param {Pick<Step, "name" | "needs">} step
+ * @param {Pick<Step, "name" | "lane" | "needs">} step
  * @param {string} folder
  * @param {() => Promise<Record<string, string>>} [env]
  * @returns {Step}
@@ -92,7 +92,8 @@ export const suites = [
     run: (log) => run(process.execPath, [join(root, "node_modules/typescript/bin/tsc"), "-p", "jsconfig.json"], { log }),
   },
   node({ name: "Node tests", needs: ["packages", ...modulesReady] }, "tests/node"),
-  node({ name: "browser tests", needs: ["page", "browser"] }, "tests/browser", async () => ({
+  // After what the host compiles: a page on a machine that is busy otherwise shows things later than its tests look.
+  node({ name: "browser tests", lane: host, needs: ["page", "browser"] }, "tests/browser", async () => ({
     CHROME_PATH: (await findBrowser()) ?? "",
   })),
 ];

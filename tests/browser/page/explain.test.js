@@ -69,7 +69,7 @@ test("Enter on a line that is read explains it, with the same value; buttons go 
   await panel(page).locator("h2").focus();
   await page.keyboard.press("Escape");
   await eventually(async () => assert.equal(await panel(page).count(), 0));
-  assert.equal(await page.locator(".pin-end").count(), 0);
+  await eventually(async () => assert.equal(await page.locator(".pin-end").count(), 0));
 });
 
 test("the alignment is told where it has a weight", async (t) => {
