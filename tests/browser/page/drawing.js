@@ -50,6 +50,7 @@ export async function drawByClicks(page, radius, count = 6) {
   for (const [x, y] of await round(page, radius, count)) await page.mouse.click(x, y);
   await page.keyboard.press("Enter");
   await eventually(async () => assert.equal(await page.locator("[data-segment=draw-mode]").count(), 0));
+  await eventually(async () => assert.ok(await page.evaluate(() => document.activeElement?.closest("#overlay")), "the curve has the focus"));
 }
 
 /**
