@@ -9,7 +9,7 @@ import { audit } from "../support/axe.js";
 import { screenshot } from "../support/screenshot.js";
 import { PHONE } from "./drawing.js";
 import { openPage } from "./open.js";
-import { documentOf, eventually, field, handle, spoken, status, uiOf } from "./workbench.js";
+import { documentOf, eventually, field, handle, pick, spoken, status, uiOf } from "./workbench.js";
 
 /**
  * @import { Page } from "playwright-core"
@@ -39,7 +39,7 @@ async function cell(page, measure, method) {
 
 /** Goes to the comparison and waits until every method has been measured. @param {Page} page */
 async function compare(page) {
-  await page.locator("[data-segment=mode] input[value=compare]").check({ force: true });
+  await pick(page, "mode", "compare");
   await settled(page);
 }
 
@@ -272,7 +272,7 @@ test("the mode is kept over a reload, and the figure comes back as it was", asyn
   await page.waitForSelector("html[data-ready=true]");
   await settled(page);
   assert.match((await picture(page, "exact").innerText()).replace(/\s+/g, " "), /Exact η 0\.\d{3}/);
-  await page.locator("[data-segment=mode] input[value=figure]").check({ force: true });
+  await pick(page, "mode", "figure");
   await eventually(async () => assert.match(await status(page), /Verified/));
   await eventually(async () => {
     const now = (await uiOf(page)).view;
@@ -334,7 +334,7 @@ test("curves that cannot be matched, or are not there, are said so", async (t) =
     await page.keyboard.press("Enter");
   }
   await page.waitForSelector("#status[data-verdict=error]");
-  await page.locator("[data-segment=mode] input[value=compare]").check({ force: true });
+  await pick(page, "mode", "compare");
   await eventually(async () => assert.match(await status(page), /crosses itself|curves touch/));
   await eventually(async () => assert.match(await picture(page, "exact").innerText(), /crosses itself|curves touch/));
   await page.locator("[data-action=file]").click();
@@ -353,13 +353,13 @@ test("long work is shown and can be cancelled, and numbers of another document d
     await field(page, name).fill("1000");
     await page.keyboard.press("Enter");
   }
-  await page.locator("[data-segment=mode] input[value=compare]").check({ force: true });
+  await pick(page, "mode", "compare");
   await page.locator("[data-command=cancel]").click();
   await eventually(async () => assert.match(await status(page), /Cancelled/));
   await new Promise((done) => setTimeout(done, 300));
   assert.equal(await cell(page, "eta", "exact"), "", "it had not come to the last method");
   assert.equal(await page.locator("#progress.shown").count(), 0);
-  await page.locator("[data-segment=mode] input[value=figure]").check({ force: true });
+  await pick(page, "mode", "figure");
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
   await compare(page);

@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
 import { choose, drawByClicks, newDocument, PHONE, round } from "./drawing.js";
-import { documentOf, eventually, spoken, status, uiOf } from "./workbench.js";
+import { documentOf, eventually, pick, spoken, status, uiOf } from "./workbench.js";
 
 test("a new document is empty, says what to do, and keeps the page whole", async (t) => {
   const page = await openPage(t);
@@ -129,7 +129,7 @@ test("a freehand line is fitted with few points near to it; a short one gives a 
   const page = await openPage(t);
   await newDocument(page);
   await begin(page);
-  await page.locator("[data-segment=draw-mode] input[value=freehand]").check({ force: true });
+  await pick(page, "draw-mode", "freehand");
   const hint = page.locator("[data-hint]");
   assert.match((await hint.textContent()) ?? "", /Press/);
   await page.mouse.move(500, 400);
@@ -212,7 +212,7 @@ test("on a phone a curve is drawn by taps, and by one stroke", async (t) => {
   assert.deepEqual(await audit(page), []);
 
   await page.locator("[data-command=draw]").tap();
-  await page.locator("[data-segment=draw-mode] input[value=freehand]").check({ force: true });
+  await pick(page, "draw-mode", "freehand");
   await stroke(page, await round(page, 50, 40));
   await eventually(async () => assert.equal((await documentOf(page)).curves.length, 2));
 });

@@ -6,7 +6,7 @@ import { PNG } from "pngjs";
 import { audit } from "../support/axe.js";
 import { exported, openExport } from "./exporting.js";
 import { openPage } from "./open.js";
-import { documentOf, eventually, field, handle } from "./workbench.js";
+import { documentOf, eventually, field, handle, pick } from "./workbench.js";
 
 /**
  * @import { Page } from "playwright-core"
@@ -31,11 +31,11 @@ test("a PNG has the size asked for, in the colours and on the ground asked for",
   await openExport(page, "png");
   const stage = await page.locator("#stage").evaluate((element) => [element.clientWidth, element.clientHeight]);
   for (const scale of [1, 2]) {
-    await page.locator(`[data-segment=export-scale] input[value="${scale}"]`).check({ force: true });
+    await pick(page, "export-scale", String(scale));
     const { width, height } = await png(page);
     assert.deepEqual([width, height], stage.map((side) => side * scale));
   }
-  await page.locator("[data-segment=export-scale] input[value='4']").check({ force: true });
+  await pick(page, "export-scale", "4");
   assert.equal(await field(page, "export-width").inputValue(), "4096", "no side is above the limit");
   const large = await png(page);
   assert.deepEqual([large.width, large.height], [4096, Math.round((stage[1] * 4096) / stage[0])]);
@@ -43,7 +43,7 @@ test("a PNG has the size asked for, in the colours and on the ground asked for",
   await size(page, 320, 200);
   const light = await png(page);
   assert.deepEqual([light.width, light.height, ...pixel(light, 3, 3)], [320, 200, 255, 255, 255, 255]);
-  await page.locator("[data-segment=export-theme] input[value=dark]").check({ force: true });
+  await pick(page, "export-theme", "dark");
   assert.deepEqual(pixel(await png(page), 3, 3), [14, 15, 18, 255]);
   await page.locator("[data-box=export-transparent]").check();
   const bare = await png(page);
@@ -56,7 +56,7 @@ test("a PNG shows the same as the kernel paints for the view and the layers on t
   await page.locator("[data-box=samples]").uncheck();
   await page.locator("[data-zoom=plus]").click();
   await openExport(page, "png");
-  await page.locator("[data-segment=export-scale] input[value='1']").check({ force: true });
+  await pick(page, "export-scale", "1");
   const picture = await png(page);
   const [document, ui] = [await documentOf(page), await page.evaluate(() => history.state.ui)];
   const dx = await load({ module: "figure" });
@@ -80,7 +80,7 @@ test("an SVG has the colours asked for", async (t) => {
   const page = await openPage(t);
   const light = (await exported(page, "svg")).toString("utf8");
   assert.match(light, /^(<\?xml[^>]*>\s*)?<svg/);
-  await page.locator("[data-segment=export-theme] input[value=dark]").check({ force: true });
+  await pick(page, "export-theme", "dark");
   const dark = (await exported(page, "svg")).toString("utf8");
   assert.notEqual(light, dark);
   assert.match(dark, /#0e0f12/i);
@@ -106,7 +106,7 @@ test("tables hold what the kernel says, digit for digit", async (t) => {
     assert.deepEqual([x1, y1, x2, y2], [...match.samples[0].points[from], ...match.samples[1].points[to]]);
     assert.equal(f, value);
   });
-  await page.locator("[data-segment=export-table] input[value=stages]").check({ force: true });
+  await pick(page, "export-table", "stages");
   const [names, ...points] = rows(await exported(page, "csv"));
   assert.deepEqual(names, ["stage", "s", "x", "y"]);
   const expected = stages.flatMap(({ s, points: all }, i) => all.map(([x, y]) => [i, s, x, y]));
@@ -125,7 +125,7 @@ test("tables of what cannot be matched say why beside the button", async (t) => 
   }
   await page.waitForSelector("#status[data-verdict=error]");
   await openExport(page, "csv");
-  await page.locator("[data-segment=export-table] input[value=stages]").check({ force: true });
+  await pick(page, "export-table", "stages");
   await page.locator("[data-export=download]").click();
   await eventually(async () => assert.match(await page.locator("[data-panel=export] [data-message]").innerText(), /did not work: .+/));
 });
@@ -161,7 +161,7 @@ test("a clipboard that refuses is told beside the button", async (t) => {
   await page.locator("[data-export=copy]").click();
   const message = page.locator("[data-panel=export] [data-message]");
   await eventually(async () => assert.equal(await message.innerText(), "That did not work: Write permission denied."));
-  await page.locator("[data-segment=export-format] input[value=png]").check({ force: true });
+  await pick(page, "export-format", "png");
   assert.ok(await message.isHidden());
 });
 

@@ -5,6 +5,7 @@
  */
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { pick } from "./workbench.js";
 
 /**
  * Opens the panel and chooses a format.
@@ -13,7 +14,7 @@ import { readFile } from "node:fs/promises";
  */
 export async function openExport(page, format) {
   if ((await page.locator("[data-panel=export]").count()) === 0) await page.locator("[data-action=export]").click();
-  await page.locator(`[data-segment=export-format] input[value=${format}]`).check({ force: true });
+  await pick(page, "export-format", format);
 }
 
 /**

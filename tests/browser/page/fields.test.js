@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./open.js";
-import { coordinates, documentOf, drag, eventually, field, handle, middle, status } from "./workbench.js";
+import { coordinates, documentOf, drag, eventually, field, handle, middle, pick, status } from "./workbench.js";
 
 test("a number field moves the point, and a wrong text does not", async (t) => {
   const page = await openPage(t);
@@ -50,9 +50,9 @@ test("sampling, stages and the mode for negative products reach the document", a
   await page.locator("[data-group-button=sampling]").click();
   await field(page, "count-0").fill("30");
   await page.keyboard.press("Enter");
-  await page.locator("[data-segment=scheme] input[value=parameter]").check({ force: true });
+  await pick(page, "scheme", "parameter");
   await page.locator("[data-more] summary").click();
-  await page.locator("[data-segment=negative] input[value=clamp]").check({ force: true });
+  await pick(page, "negative", "clamp");
   await page.locator("[data-group-button=blend]").click();
   await field(page, "stages").fill("8");
   await page.keyboard.press("Enter");

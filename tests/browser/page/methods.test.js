@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { audit } from "../support/axe.js";
 import { openAsFile, ring, rings } from "./documents.js";
 import { openPage } from "./open.js";
-import { documentOf, drag, eventually, field, handle, middle, status } from "./workbench.js";
+import { documentOf, drag, eventually, field, handle, middle, pick, status } from "./workbench.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -30,7 +30,7 @@ test("every method reaches the document, and the status line says how far it sta
   await eventually(async () => assert.match(await status(page), /problem|heuristic/));
   await method(page).selectOption("shift");
   await page.locator("[data-segment=shift]").waitFor();
-  await page.locator("[data-segment=shift] input[value=number]").check({ force: true });
+  await pick(page, "shift", "number");
   await field(page, "shift").fill("5");
   await page.keyboard.press("Enter");
   assert.equal((await matchingOf(page)).shift, 5);
@@ -65,7 +65,7 @@ test("the number of one-to-one lines is the number of samples until it is named"
 test("rules are repaired or as printed, all at once or singly", async (t) => {
   const page = await openPage(t);
   await method(page).selectOption("greedy");
-  await page.locator("[data-segment=rules] input[value=printed]").check({ force: true });
+  await pick(page, "rules", "printed");
   assert.deepEqual((await matchingOf(page)).printed, ["normals", "negative", "heights", "order", "removal"]);
   assert.ok(await page.locator("[data-box=printed-order]").isVisible(), "the list opens");
   await eventually(async () => assert.match(await status(page), /mean\s*f\s*\u2212/));

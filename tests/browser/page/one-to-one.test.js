@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
-import { documentOf, eventually, field, middle, status } from "./workbench.js";
+import { documentOf, eventually, field, middle, pick, status } from "./workbench.js";
 
 /** A C in a ring, sampled so that inserted lines fail in its mouth. */
 const mouth = {
@@ -93,7 +93,7 @@ test("gaps that keep their lines are problems with a place", async (t) => {
 test("adaptive samples have fields of their own and say how many they are", async (t) => {
   const page = await openPage(t);
   await page.locator("[data-group-button=sampling]").click();
-  await page.locator("[data-segment=scheme] input[value=adaptive]").check({ force: true });
+  await pick(page, "scheme", "adaptive");
   const { sampling } = await documentOf(page);
   assert.deepEqual([sampling.scheme, sampling.maxTurn, sampling.minCount], ["adaptive", 15, 12]);
   assert.ok(sampling.tolerance > 0 && String(sampling.tolerance).length <= 5, "two figures");
@@ -118,6 +118,6 @@ test("adaptive samples have fields of their own and say how many they are", asyn
   await page.keyboard.press("Enter");
   await eventually(async () => assert.match(await page.locator("[data-reason]").innerText(), /1000 samples/));
   assert.deepEqual(await audit(page), []);
-  await page.locator("[data-segment=scheme] input[value=arc-length]").check({ force: true });
+  await pick(page, "scheme", "arc-length");
   await eventually(async () => assert.ok(await field(page, "count-0").isVisible()));
 });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage, openRaw } from "./open.js";
-import { documentOf, eventually, field, handle, status } from "./workbench.js";
+import { documentOf, eventually, field, handle, pick, status } from "./workbench.js";
 
 test("the page opens on a finished figure with its certificates", async (t) => {
   const page = await openPage(t);
@@ -126,7 +126,7 @@ test("long work can be cancelled, and the last picture and the document stay", a
   const before = await picture();
   await page.evaluate("globalThis.hold = true");
   await page.locator("[data-more] summary").click();
-  await page.locator("[data-segment=negative] input[value=half]").check({ force: true });
+  await pick(page, "negative", "half");
   const cancel = page.locator("[data-command=cancel]");
   await cancel.waitFor();
   assert.ok(await page.locator("#progress").evaluate((line) => line.classList.contains("shown")));
@@ -135,7 +135,7 @@ test("long work can be cancelled, and the last picture and the document stay", a
   assert.equal(await picture(), before);
   assert.equal((await documentOf(page)).matching.negative, "half");
   await page.evaluate("globalThis.hold = false");
-  await page.locator("[data-segment=negative] input[value=clamp]").check({ force: true });
+  await pick(page, "negative", "clamp");
   await eventually(async () => assert.match(await status(page), /Verified/));
   assert.doesNotMatch(await status(page), /Cancelled/);
 });

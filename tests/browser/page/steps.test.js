@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { load } from "directrix";
 import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
-import { documentOf, eventually, uiOf } from "./workbench.js";
+import { documentOf, eventually, pick, uiOf } from "./workbench.js";
 
 /** @import { Page } from "playwright-core" */
 
@@ -23,7 +23,7 @@ const spoken = (/** @type {Page} */ page) => page.locator("#speech").innerText()
 
 /** @param {Page} page */
 async function openSteps(page) {
-  await page.locator("[data-segment=mode] input[value=steps]").check({ force: true });
+  await pick(page, "mode", "steps");
   await page.waitForSelector(".steps-transport");
   await eventually(async () => assert.ok((await page.locator(".step-curves").getAttribute("d"))?.length));
 }
@@ -231,7 +231,7 @@ test("the steps follow the document: its method, its curves, undo, and a reload"
   await scrub(page, 40);
   await page.reload();
   await page.waitForSelector(".steps-transport");
-  await page.locator("[data-segment=mode] input[value=figure]").check({ force: true });
+  await pick(page, "mode", "figure");
   await page.locator("[data-handle=A1]").focus();
   for (let k = 0; k < 5; k++) await page.keyboard.press("ArrowRight");
   const moved = dx.steps(await documentOf(page));
@@ -254,7 +254,7 @@ test("a document of another method shows the greedy growth for its weights, and 
   await openSteps(page);
   await eventually(async () => assert.equal(await page.locator(".steps-reading").innerText(), `step 1 of ${total}`));
   assert.ok(await page.locator("[data-steps-note]").isHidden(), "a greedy document needs no word on it");
-  await page.locator("[data-segment=mode] input[value=figure]").check({ force: true });
+  await pick(page, "mode", "figure");
   await page.locator("select[data-select=method]").selectOption("integral");
   await openSteps(page);
   assert.equal((await documentOf(page)).matching.method, "exact");

@@ -36,27 +36,59 @@ export async function eventually(look) {
 }
 
 /**
+ * Waits until the page has drawn what it holds: it draws once a frame, some time after the state has changed.
+ * @param {Page} page
+ */
+export function drawn(page) {
+  return page.evaluate(
+    () =>
+      new Promise((done) => {
+        // A page in the background has no frames, and nobody reads places off it.
+        setTimeout(done, 200);
+        requestAnimationFrame(() => setTimeout(done));
+      }),
+  );
+}
+
+/**
+ * What the page would keep across a reload, once it is drawn.
+ * @param {Page} page
+ * @returns {Promise<any>}
+ */
+async function kept(page) {
+  await drawn(page);
+  return page.evaluate(() => {
+    dispatchEvent(new Event("pagehide"));
+    return history.state;
+  });
+}
+
+/**
  * The open document, as the page would keep it across a reload.
  * @param {Page} page
  * @returns {Promise<any>}
  */
-export function documentOf(page) {
-  return page.evaluate(() => {
-    dispatchEvent(new Event("pagehide"));
-    return history.state.document;
-  });
-}
+export const documentOf = async (page) => (await kept(page)).document;
 
 /**
  * What the page keeps besides the document.
  * @param {Page} page
  * @returns {Promise<any>}
  */
-export function uiOf(page) {
-  return page.evaluate(() => {
-    dispatchEvent(new Event("pagehide"));
-    return history.state.ui;
-  });
+export const uiOf = async (page) => (await kept(page)).ui;
+
+/**
+ * Takes one choice of a row of choices, as a click on its word does.
+ * @param {Page} page
+ * @param {string} name of the row
+ * @param {string} value
+ */
+export async function pick(page, name, value) {
+  const input = page.locator(`[data-segment=${name}] input[value="${value}"]`);
+  await input.waitFor();
+  // Its word lies over the input, which Playwright takes for something in the way.
+  await input.check({ force: true });
+  await drawn(page);
 }
 
 /** @param {Page} page @param {string} name such as `A1` */
