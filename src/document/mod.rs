@@ -12,6 +12,8 @@ mod iso_options;
 mod json;
 mod model;
 mod node;
+#[cfg(feature = "paths")]
+mod paths;
 mod read;
 mod schema;
 mod solve;
@@ -25,6 +27,8 @@ pub use iso_options::IsoOptions;
 pub use json::Json;
 pub use model::Model;
 pub(crate) use node::Node;
+#[cfg(feature = "paths")]
+pub use paths::{PathOptions, paths};
 pub use read::{LONGEST_TEXT, check_length, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub use read::{read_text, write_text};

@@ -4,7 +4,7 @@ use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, 
 use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::{Problem, RulingLine};
-use crate::material::{Oklab, mix_colors};
+use crate::material::{Color, Oklab, mix_colors};
 use crate::morph::{Band, unit_cells};
 use glam::DVec2;
 
@@ -32,6 +32,8 @@ const NORMAL_LENGTH: f64 = 14.0;
 /// Radius of the ring round a vertex without a line, and size of the cross at a witness, in CSS pixels.
 const RING_RADIUS: f32 = 5.0;
 const CROSS_SIZE: f32 = 11.0;
+/// Width of the current in-between curve where it wears its materials, in CSS pixels.
+const WORN_WIDTH: f32 = 5.0;
 /// Pictures whose shorter side is less than this, in CSS pixels, have thinner lines and no sample dots.
 const SMALL: f64 = 420.0;
 
@@ -63,7 +65,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         drawing.lines(problem, lines);
     }
     if let (Some(band), Some(s)) = (band, options.s) {
-        drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
+        drawing.current(band, s);
     }
     drawing.boundaries();
     drawing.samples();
@@ -124,9 +126,13 @@ impl Drawing<'_> {
         }
     }
 
+    /// Display colours of the materials.
+    fn colors(&self) -> Vec<Oklab> {
+        self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect()
+    }
+
     fn material(&mut self, band: &Band) {
-        let colors: Vec<Oklab> =
-            self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect();
+        let colors = self.colors();
         let mesh = if self.shows(LayerName::UnitCells) {
             flat_cells(band, self.solution.model.document().blend.stages, &colors)
         } else if self.shows(LayerName::Material) {
@@ -142,6 +148,41 @@ impl Drawing<'_> {
             let stages = self.solution.model.document().blend.stages;
             let rings = (1..stages).map(|j| band.in_between(j as f64 / stages as f64)).collect();
             self.stroke("in-betweens", Path { rings, closed: true }, self.inside(self.theme.in_between));
+        }
+    }
+
+    /// The current in-between curve. On the bare canvas, where no band shows the material, it wears that of its own points.
+    fn current(&mut self, band: &Band, s: f64) {
+        let line = band.in_between(s);
+        if self.on_band {
+            self.cased("current", Path::closed(line), self.theme.current);
+            return;
+        }
+        let casing = StrokeStyle { width_px: WORN_WIDTH + 2.0, ..self.theme.boundary };
+        self.stroke("current", Path::closed(line.clone()), casing);
+        let (colors, rulings) = (self.colors(), band.rulings());
+        let mut run: Option<(Color, Vec<DVec2>)> = None;
+        for (k, &point) in line.iter().enumerate() {
+            let next = (k + 1) % line.len();
+            let middle = rulings[k].composition(s).mix(&rulings[next].composition(s), 0.5);
+            let color = mix_colors(&colors, &middle).to_color();
+            let mut points = match run.take() {
+                Some((same, points)) if same == color => points,
+                before => {
+                    self.worn(before);
+                    vec![point]
+                }
+            };
+            points.push(line[next]);
+            run = Some((color, points));
+        }
+        self.worn(run);
+    }
+
+    /// A stretch of the current in-between curve in one colour.
+    fn worn(&mut self, run: Option<(Color, Vec<DVec2>)>) {
+        if let Some((color, points)) = run {
+            self.stroke("current", Path::open(points), StrokeStyle::solid(WORN_WIDTH, color, 1.0));
         }
     }
 
