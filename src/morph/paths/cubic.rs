@@ -131,17 +131,16 @@ fn apart(a: &[DVec2], b: &[DVec2]) -> f64 {
 
 /// The same curve with Bezier points of at least the given degree.
 fn elevated(points: &[DVec2], degree: usize) -> Vec<DVec2> {
-    let mut points = points.to_vec();
-    while points.len() <= degree {
-        let n = points.len() as f64;
-        let mut next = vec![points[0]];
-        next.extend(
-            points.windows(2).enumerate().map(|(i, pair)| pair[1].lerp(pair[0], (i as f64 + 1.0) / n)),
-        );
-        next.push(points[points.len() - 1]);
-        points = next;
+    let mut elevated = Vec::with_capacity(points.len().max(degree + 1));
+    elevated.extend_from_slice(points);
+    while elevated.len() <= degree {
+        let n = elevated.len();
+        elevated.push(elevated[n - 1]);
+        for i in (1..n).rev() {
+            elevated[i] = elevated[i].lerp(elevated[i - 1], i as f64 / n as f64);
+        }
     }
-    points
+    elevated
 }
 
 /// Value of a Bezier curve at t, by de Casteljau's algorithm.

@@ -64,6 +64,8 @@ export function createMorphExport(app) {
   /** @type {AbortController | null} */
   let work = null;
   let canFilm = true;
+  /** Whether the message says why there are no paths. */
+  let unmatched = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
 
@@ -199,7 +201,7 @@ export function createMorphExport(app) {
     Object.assign(last, { kind, shows, frames, rate, text, transparent });
     tell(null);
     render();
-    soon();
+    if (!("text" in patch)) soon();
   }
 
   function render() {
@@ -217,6 +219,7 @@ export function createMorphExport(app) {
     for (const [name, element] of Object.entries(rows)) {
       element.hidden = !shown[wanted.kind].some((each) => each === name);
     }
+    if (wanted.kind === "paths") rows.motion.hidden = wanted.text === "svg" || wanted.text === "json";
     const isPaths = wanted.kind === "paths";
     certificate.hidden = code.hidden = !isPaths || paths === null;
     code.setAttribute("aria-label", words.code(words.texts[wanted.text]));
@@ -256,9 +259,11 @@ export function createMorphExport(app) {
   async function refresh() {
     try {
       paths = await found();
-      tell(null);
+      if (unmatched) tell(null);
+      unmatched = false;
     } catch (error) {
       paths = null;
+      unmatched = true;
       tell(words.failed(plain(error)), true);
     }
     render();
