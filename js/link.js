@@ -62,7 +62,7 @@ export function encodeDocument(document) {
   if (bytes.length > LARGEST) {
     throw new DirectrixError("limit", "", `${bytes.length} bytes of JSON were found; a link holds at most ${LARGEST}`);
   }
-  return toBase64(deflateSync(bytes, { level: 9, mem: 9 }));
+  return toBase64(deflateSync(bytes, { level: 9 }));
 }
 
 /**
