@@ -49,9 +49,14 @@ test("an edited document is shared and opened elsewhere as the identical one, wi
   assert.ok(await other.locator("[data-action=undo]").isDisabled());
   assert.deepEqual(await stored(other), {}, "a document that is only looked at is not kept");
 
-  // The mode and the step go with it, and the panel follows what is done beside it.
+  // The mode and the step go with it.
+  await page.locator("[data-close=share]").click();
   await pick(page, "mode", "steps");
   await page.locator("[data-steps=forward]").click();
+  await page.locator(".mode-stage[data-step='2']").waitFor();
+  await share(page);
+  await offered(page, /&view=steps&step=2$/);
+  // And the panel follows what is done beside it.
   await page.locator("[data-steps=forward]").click();
   const stepped = await offered(page, /&view=steps&step=3$/);
   await share(page, "view");
@@ -345,6 +350,7 @@ test("the panel works by keyboard and touch, in the dark and on a phone, and wit
   assert.ok(width >= 44 && height >= 44, `${width} × ${height}`);
   assert.equal(await button.getAttribute("aria-label"), "Share");
   await button.tap();
+  await page.locator("[data-panel=share] h2").waitFor();
   await share(page, "embed");
   await offered(page, /directrix-figure/);
   for (const code of ["element", "iframe"]) {
