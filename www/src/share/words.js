@@ -13,8 +13,8 @@ const KEYS = {
   reveal: "Start",
 };
 
-/** Bytes in words. @param {number} bytes */
-const size = (bytes) => (bytes < 1000 ? `${bytes} characters` : `${(bytes / 1000).toFixed(1)} kB`);
+/** The length of a link in words. @param {number} length */
+const size = (length) => (length < 1024 ? `${length} characters` : `${(length / 1024).toFixed(1).replace(/\.0$/, "")} kB`);
 
 export const words = {
   heading: "Share",
