@@ -139,8 +139,8 @@ function assemble(kernel, store, restored, kept) {
 }
 
 /** What a reload keeps of where the document lives. @param {NonNullable<Session["kept"]>} kept */
-function origin({ id, stamp, file, modified }) {
-  return { id, stamp, file, modified };
+function origin({ name, id, stamp, file, modified }) {
+  return { name, id, stamp, file, modified };
 }
 
 /** Names the regions of the page. */

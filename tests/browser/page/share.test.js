@@ -136,6 +136,23 @@ test("an edit after opening a link is still there after a reload, and so is the 
   assert.equal(await page.locator("html").getAttribute("data-controls"), "minimal");
 });
 
+test("places of the page and lessons are no links, and the way back from them takes no edit back", async (t) => {
+  const page = await openPage(t);
+  await documentOf(page);
+  for (const hash of ["#stage", "#lesson=greedy&step=3"]) await goToHash(page, hash);
+  await nudge(page);
+  const work = await documentOf(page);
+  await page.waitForTimeout(100);
+  assert.equal(await page.locator("[data-panel=link]").count(), 0);
+  assert.equal((await uiOf(page)).mode, "figure");
+  for (let i = 0; i < 2; i += 1) {
+    await page.goBack();
+    await page.waitForTimeout(150);
+    assert.deepEqual(await documentOf(page), work);
+  }
+  assert.equal(hashOf(page.url()), "");
+});
+
 test("two tabs with one link are two documents", async (t) => {
   const page = await openPage(t, { hash: writeLink({ document: { ...presetFile("kidney"), title: "Twin" } }) });
   const other = await secondTab(t, page);
