@@ -62,7 +62,7 @@ export function encodeDocument(document) {
   if (bytes.length > LARGEST) {
     throw new DirectrixError("limit", "", `${bytes.length} bytes of JSON were found; a link holds at most ${LARGEST}`);
   }
-  return toBase64(deflateSync(bytes, { level: 9, mem: 9 }));
+  return toBase64(deflateSync(bytes, { level: 9 }));
 }
 
 /**
@@ -93,7 +93,7 @@ export function writeLink({ document, ...rest }) {
     const value = values[/** @type {keyof typeof values} */ (key)];
     if (value === undefined) return [];
     if (key !== "s") read(String(value), key);
-    return [`${key}=${encodeURIComponent(value)}`];
+    return [`${key}=${escaped(String(value))}`];
   });
   oneSource(SOURCES.filter((key) => values[key] !== undefined));
   return `#${[`v=${VERSION}`, ...pairs].join("&")}`;
@@ -266,6 +266,11 @@ function fromBase64(text) {
   if (stranger) throw wrong("s", `the text was changed on its way: it holds the character "${stranger[0]}"`);
   if (text.length % 4 === 1) throw wrong("s", CUT_OFF);
   return Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (character) => character.charCodeAt(0));
+}
+
+/** Text in a hash, with what addresses are made of left readable. @param {string} text */
+function escaped(text) {
+  return encodeURIComponent(text).replace(/%(3A|2F|3F|3D|40|2C)/g, decodeURIComponent);
 }
 
 /** @param {string} text */

@@ -82,7 +82,7 @@ export function createBar(app) {
     h(
       "nav",
       { class: "workbenches", "aria-label": words.workbenches },
-      h("a", { href: "#stage", "aria-current": "page", onclick: stay }, strings.workbench),
+      h("a", { href: "#stage", "aria-current": "page" }, strings.workbench),
     ),
     h("div", { class: "bar-title" }, title.element, state),
     h(
@@ -119,9 +119,6 @@ export function createBar(app) {
     },
   };
 }
-
-/** The workbench that is open is no place to go to, and none to come back from. @param {Event} event */
-const stay = (event) => event.preventDefault();
 
 /**
  * What has become of the work: saved to a file, edited since and kept in this browser, or kept nowhere.

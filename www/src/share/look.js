@@ -24,7 +24,7 @@ export function look({ controls = "full", theme }) {
     return;
   }
   root.dataset.controls = controls;
-  way ??= h("button", { type: "button", class: "outlined show-controls", "data-show-controls": "", "data-furniture": "" }, words.showControls);
+  way ??= h("button", { type: "button", class: "outlined show-controls", "data-show-controls": "" }, words.showControls);
   way.onclick = () => look({});
-  find("#stage").append(way);
+  find("#bar").append(way);
 }

@@ -54,6 +54,7 @@ export function showShare(app) {
     segment({ label, name: `share-${name}`, choices: Object.entries(texts).map(([value, text]) => ({ value, text })) }, (value) => {
       Object.assign(chosen, { [name]: value });
       tell(null);
+      write(copy, words.copy);
       render();
     });
   const choices = {
@@ -114,7 +115,6 @@ export function showShare(app) {
     const { tab } = chosen;
     for (const [name, control] of Object.entries(choices)) control.set(/** @type {any} */ (chosen[/** @type {keyof typeof chosen} */ (name)]));
     for (const [name, element] of Object.entries(rows)) element.hidden = !shown[tab].some((each) => each === name);
-    write(about, words.about[tab]);
     field.setAttribute("aria-label", words.label[tab]);
     field.classList.toggle("code", tab === "embed");
     const isReady = made !== null && failure === "";
@@ -129,6 +129,7 @@ export function showShare(app) {
     const isLong = needsFile && !isElement;
     if (field.value !== text) field.value = text;
     const whole = `${addressOf(tab === "editor" ? "editor" : "view")}${writeLink(targetOf(made))}`.length;
+    write(about, tab === "editor" && !isLong ? `${words.about.editor} ${words.inBar}` : words.about[tab]);
     const { view } = made;
     const opensAt = view === "steps" ? words.mode.steps(made.step ?? 0) : view === "compare" ? words.mode.compare : "";
     const length = isElement

@@ -2,7 +2,7 @@
 
 /** Names of the keys of a link. @type {{[key: string]: string}} */
 const KEYS = {
-  v: "Version",
+  v: "Link",
   s: "Document",
   preset: "Preset",
   url: "Address",
@@ -13,8 +13,8 @@ const KEYS = {
   reveal: "Start",
 };
 
-/** Bytes in words. @param {number} bytes */
-const size = (bytes) => (bytes < 1000 ? `${bytes} characters` : `${(bytes / 1000).toFixed(1)} kB`);
+/** The length of a link in words. @param {number} length */
+const size = (length) => (length < 1024 ? `${length} characters` : `${(length / 1024).toFixed(1).replace(/\.0$/, "")} kB`);
 
 export const words = {
   heading: "Share",
@@ -23,10 +23,11 @@ export const words = {
   view: "View only",
   embed: "Embed",
   about: {
-    editor: "Opens this document in the editor, as a copy of the reader’s own. It also stands in the address bar now.",
+    editor: "Opens this document in the editor, as a copy of the reader’s own.",
     view: "Opens the figure alone, to be looked at and not edited. It leads to the editor.",
     embed: "Puts the live figure into a page of yours.",
   },
+  inBar: "It stands in the address bar as well.",
   label: { editor: "Link to the editor", view: "Link to the view only", embed: "Embed code" },
   controls: "Controls",
   allControls: { full: "Full", minimal: "Minimal", none: "None" },
