@@ -219,6 +219,7 @@ export function createMorphExport(app) {
     for (const [name, element] of Object.entries(rows)) {
       element.hidden = !shown[wanted.kind].some((each) => each === name);
     }
+    motion.duration.hidden = wanted.kind === "png";
     if (wanted.kind === "paths") rows.motion.hidden = wanted.text === "svg" || wanted.text === "json";
     const isPaths = wanted.kind === "paths";
     certificate.hidden = code.hidden = !isPaths || paths === null;

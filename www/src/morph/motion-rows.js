@@ -37,11 +37,14 @@ export function motionRows(app, place) {
     },
     (value) => change({ repeat: value }),
   );
+  const duration = row(words.seconds, seconds);
   return {
+    /** The row of the seconds, which pictures without times do without. */
+    duration,
     element: h(
       "div",
       { "data-motion": place },
-      row(words.seconds, seconds),
+      duration,
       row(words.easing, easing),
       row(words.repeat, repeat),
     ),
