@@ -1,21 +1,33 @@
-//! Part of a curve in Bezier form.
+//! Parts of a curve in Bezier form.
 
 use glam::DVec2;
 
+use super::bezier::Bezier;
 use super::closed_bspline::ClosedBSpline;
 
 impl ClosedBSpline {
-    /// Bezier points of the part between two ascending parameters, relative to `origin`; one point where they are equal.
+    /// Bezier points of the parts between the given pairs of parameters, each relative to `origin`; one point where both are equal.
     ///
-    /// Parameters beyond the domain wrap. No knot may lie between them, up to rounding: the piece is that of the span which
-    /// holds their middle.
+    /// Pairs ascend; parameters beyond the domain wrap. No knot may lie inside a part, up to rounding: it is taken from the span that
+    /// holds its middle.
     #[must_use]
-    pub fn stretch(&self, from: f64, to: f64, origin: DVec2) -> Vec<DVec2> {
-        let middle = from + (to - from) / 2.0;
-        let wrapped = self.wrap(middle);
-        let whole = if to > from { self.piece(self.span_index(wrapped), origin) } else { None };
-        let Some(piece) = whole else { return vec![self.point(from) - origin] };
-        piece.between(from + (wrapped - middle), to + (wrapped - middle)).points
+    pub fn stretches(&self, ends: &[(f64, f64)], origin: DVec2) -> Vec<Vec<DVec2>> {
+        // Neighbours often lie on one span, whose Bezier form is worked out once.
+        let mut known: Option<(usize, Bezier)> = None;
+        let mut stretch = |&(from, to): &(f64, f64)| {
+            if to <= from {
+                return vec![self.point(from) - origin];
+            }
+            let middle = from + (to - from) / 2.0;
+            let wrapped = self.wrap(middle);
+            let span = self.span_index(wrapped);
+            if known.as_ref().is_none_or(|&(index, _)| index != span) {
+                known = self.piece(span, origin).map(|piece| (span, piece));
+            }
+            let Some((_, piece)) = &known else { return vec![self.point(from) - origin] };
+            piece.between(from + (wrapped - middle), to + (wrapped - middle)).points
+        };
+        ends.iter().map(&mut stretch).collect()
     }
 
     /// The knots from `start` to one lap beyond it, ascending and without repetition; `start` itself is not among them.
@@ -49,13 +61,18 @@ mod tests {
             assert_eq!(ends.len(), 7);
             ends.insert(0, start);
             ends.push(start + 1.0);
-            for pair in ends.windows(2) {
-                let bezier = curve.stretch(pair[0], pair[1], origin);
+            // Every part in two, so that neighbours share a span.
+            let halves = ends.windows(2).flat_map(|pair| {
+                let middle = f64::midpoint(pair[0], pair[1]);
+                [(pair[0], middle), (middle, pair[1])]
+            });
+            let halves: Vec<_> = halves.collect();
+            for (bezier, (from, to)) in curve.stretches(&halves, origin).iter().zip(&halves) {
                 assert_eq!(bezier.len(), degree + 1);
-                assert!((bezier[0] + origin).distance(curve.point(pair[0])) < 1e-12);
-                assert!((bezier[degree] + origin).distance(curve.point(pair[1])) < 1e-12);
+                assert!((bezier[0] + origin).distance(curve.point(*from)) < 1e-12);
+                assert!((bezier[degree] + origin).distance(curve.point(*to)) < 1e-12);
             }
-            assert_eq!(curve.stretch(0.4, 0.4, origin), [curve.point(0.4) - origin]);
+            assert_eq!(curve.stretches(&[(0.4, 0.4)], origin), [[curve.point(0.4) - origin]]);
         }
     }
 }

@@ -57,8 +57,9 @@ impl Piece {
 /// the curve, at equal parameters.
 ///
 /// The cubic starts and ends on the curve and leaves and arrives along its tangents; the two lengths left are those of least
-/// squares. On each piece the difference is a polynomial, which its Bezier points bound.
-pub(super) fn fit(pieces: &[&Piece], ends: &[f64]) -> ([DVec2; 4], f64) {
+/// squares. On each piece the difference is a polynomial, which its Bezier points bound. The bound is infinite where some place
+/// shows that it would be above `enough`.
+pub(super) fn fit(pieces: &[&Piece], ends: &[f64], enough: f64) -> ([DVec2; 4], f64) {
     let (first, last) = (pieces[0].first(), pieces[pieces.len() - 1].last());
     let (lo, width) = (ends[0], ends[ends.len() - 1] - ends[0]);
     let share = |k: usize| (ends[k] - lo) / width;
@@ -83,6 +84,13 @@ pub(super) fn fit(pieces: &[&Piece], ends: &[f64]) -> ([DVec2; 4], f64) {
     }
     let (alpha, beta) = lengths([aa, ab, bb], [ar, br]).unwrap_or((0.0, 0.0));
     let cubic = [first, first + leave * alpha, last + arrive * beta, last];
+    let is_off = |(k, piece): (usize, &&Piece)| {
+        let (from, to) = (share(k), share(k + 1));
+        PLACES.iter().zip(piece.at).any(|(t, at)| point(&cubic, from + t * (to - from)).distance(at) > enough)
+    };
+    if pieces.iter().enumerate().any(is_off) {
+        return (cubic, f64::INFINITY);
+    }
     let error = pieces
         .iter()
         .enumerate()
@@ -145,6 +153,10 @@ fn elevated(points: &[DVec2], degree: usize) -> Vec<DVec2> {
 
 /// Value of a Bezier curve at t, by de Casteljau's algorithm.
 pub(super) fn point(points: &[DVec2], t: f64) -> DVec2 {
+    if let &[a, b, c, d] = points {
+        let (ab, bc, cd) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
+        return ab.lerp(bc, t).lerp(bc.lerp(cd, t), t);
+    }
     let mut row = points.to_vec();
     for last in (1..row.len()).rev() {
         for i in 0..last {
@@ -178,7 +190,7 @@ mod tests {
         let ends = [0.0, 0.2, 0.55, 1.0];
         let pieces: Vec<_> =
             ends.windows(2).map(|pair| Piece::new(part(&whole, pair[0], pair[1]).to_vec())).collect();
-        let (cubic, error) = fit(&pieces.iter().collect::<Vec<_>>(), &ends);
+        let (cubic, error) = fit(&pieces.iter().collect::<Vec<_>>(), &ends, 1.0);
         assert!(error < 1e-12, "{error}");
         assert!(cubic.iter().zip(whole).all(|(p, q)| p.distance(q) < 1e-12));
     }
@@ -195,7 +207,7 @@ mod tests {
             })
             .collect();
         let ends = [0.0, 0.25, 0.5, 0.75, 1.0];
-        let (cubic, error) = fit(&pieces.iter().collect::<Vec<_>>(), &ends);
+        let (cubic, error) = fit(&pieces.iter().collect::<Vec<_>>(), &ends, 1.0);
         let mut attained = 0.0_f64;
         for (k, piece) in pieces.iter().enumerate() {
             for i in 0..=200 {

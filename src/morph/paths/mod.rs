@@ -139,7 +139,7 @@ fn stretches(curves: &[ClosedBSpline; 2], places: &[(f64, f64)], origin: DVec2) 
     let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
     let knots = [curves[0].knots_from(u), curves[1].knots_from(v)];
     let next = places.iter().copied().skip(1).chain([(u + periods[0], v + periods[1])]);
-    let mut stretches = Vec::new();
+    let mut cuts = Vec::new();
     let mut passed = [0, 0];
     for (&(u0, v0), (u1, v1)) in places.iter().zip(next) {
         let mut shares = vec![1.0];
@@ -158,14 +158,18 @@ fn stretches(curves: &[ClosedBSpline; 2], places: &[(f64, f64)], origin: DVec2) 
                 continue;
             }
             let at = |t: f64| (u0 + t * (u1 - u0), v0 + t * (v1 - v0));
-            let (from, to) = (at(reached), if share < 1.0 { at(share) } else { (u1, v1) });
-            let pieces = [curves[0].stretch(from.0, to.0, origin), curves[1].stretch(from.1, to.1, origin)]
-                .map(Piece::new);
-            stretches.push(Stretch { from, to, pieces });
+            cuts.push((at(reached), if share < 1.0 { at(share) } else { (u1, v1) }));
             reached = share;
         }
     }
-    stretches
+    let ends = [
+        cuts.iter().map(|&((from, _), (to, _))| (from, to)).collect::<Vec<_>>(),
+        cuts.iter().map(|&((_, from), (_, to))| (from, to)).collect(),
+    ];
+    let first = curves[0].stretches(&ends[0], origin);
+    let second = curves[1].stretches(&ends[1], origin);
+    let pieces = first.into_iter().zip(second).map(|(a, b)| [a, b].map(Piece::new));
+    cuts.iter().zip(pieces).map(|(&(from, to), pieces)| Stretch { from, to, pieces }).collect()
 }
 
 /// Halves stretches of a high degree until each has cubics within the tolerance; `None` when that takes too many.
@@ -173,7 +177,7 @@ fn refined(stretches: Vec<Stretch>, tolerance: f64) -> Option<Vec<Stretch>> {
     let mut fine = Vec::with_capacity(stretches.len());
     let mut open: Vec<Stretch> = stretches.into_iter().rev().collect();
     while let Some(stretch) = open.pop() {
-        if single(&stretch).error <= tolerance {
+        if single(&stretch, tolerance).error <= tolerance {
             fine.push(stretch);
             continue;
         }
@@ -214,24 +218,24 @@ struct Run {
 }
 
 /// The cubics of one stretch: the curves themselves where they are cubics.
-fn single(stretch: &Stretch) -> Run {
+fn single(stretch: &Stretch, tolerance: f64) -> Run {
     let cubics = stretch.pieces.each_ref().map(|piece| match piece.as_cubic() {
         Some(cubic) => (cubic, 0.0),
-        None => fit(&[piece], &[0.0, 1.0]),
+        None => fit(&[piece], &[0.0, 1.0], tolerance),
     });
     Run { end: 0, error: cubics[0].1.max(cubics[1].1), cubics: cubics.map(|(cubic, _)| cubic) }
 }
 
 /// The longest run of stretches from `start` that has cubics within the tolerance, found by doubling and bisection.
 fn longest_run(stretches: &[Stretch], ends: &[f64], start: usize, tolerance: f64) -> Run {
-    let mut best = Run { end: start + 1, ..single(&stretches[start]) };
+    let mut best = Run { end: start + 1, ..single(&stretches[start], tolerance) };
     let reach = ends[start] + LONGEST * ends[ends.len() - 1];
     let most = ends.partition_point(|&end| end <= reach).saturating_sub(1).max(start + 1);
     let attempt = |end: usize| {
         let run = &stretches[start..end];
         let cubics = [0, 1].map(|curve| {
             let pieces: Vec<&Piece> = run.iter().map(|stretch| &stretch.pieces[curve]).collect();
-            fit(&pieces, &ends[start..=end])
+            fit(&pieces, &ends[start..=end], tolerance)
         });
         let error = cubics[0].1.max(cubics[1].1);
         (error <= tolerance).then(|| Run { end, error, cubics: cubics.map(|(cubic, _)| cubic) })
