@@ -247,6 +247,23 @@ mod tests {
     }
 
     #[test]
+    fn lines_of_a_fan_stay_on_their_side_of_a_corner() {
+        // Both fans of a corner at 0.5: most lines arrive from the side before it.
+        let before = 0.5 - APART;
+        let places = [[0.0, 0.0], [before, 0.4], [before, 0.62], [0.5, 0.62], [0.5, 0.7]];
+        for count in [20, 100, 1000] {
+            let corners = [vec![0.5], Vec::new()];
+            let plain = at_even_means(&places, count);
+            let spread = spread_evenly(&places, count, &corners, |_| 0.0);
+            assert!(ascends(&spread));
+            for (place, plain) in spread.iter().zip(&plain) {
+                assert_eq!(place[0] < 0.5, plain[0] < 0.5 - APART / 2.0, "{count}: {plain:?} to {place:?}");
+                assert!((place[0] - plain[0]).abs() < 3e-3, "{count}: {plain:?} to {place:?}");
+            }
+        }
+    }
+
+    #[test]
     fn pooling_gives_the_least_squares() {
         let mut numbers = vec![1.0, 3.0, 2.0, 2.0, 5.0, 4.0];
         make_ascending(&mut numbers);

@@ -160,3 +160,43 @@ fn fault(pairs: &OneToOne, k: usize) -> DVec2 {
         segment_crossing(p, q, r, s)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn strict(places: &[[f64; 2]]) -> bool {
+        places.windows(2).all(|w| w[0][0] <= w[1][0] && w[0][1] <= w[1][1] && w[0] != w[1])
+    }
+
+    #[test]
+    fn lines_of_the_matching_stand_in_and_those_in_their_way_go() {
+        let path: Vec<[f64; 2]> = (0..12).map(|k| [f64::from(k / 2) / 6.0, f64::from(k) / 12.0]).collect();
+        let even: Vec<[f64; 2]> = (0..9).map(|k| [f64::from(k) / 9.0, f64::from(k) / 9.0 - 0.04]).collect();
+        let mut spread = Spread::new(path.clone(), even.clone(), &[]);
+        assert_eq!(spread.places(), even);
+        spread.is_kept[3] = true;
+        let places = spread.places();
+        assert!(strict(&places), "{places:?}");
+        let kept = path[nearest(&path, mean(even[3]))];
+        assert!(places.contains(&kept) && !places.contains(&even[3]));
+        // With all kept they are lines of the matching, each once.
+        spread.is_kept.fill(true);
+        let places = spread.places();
+        assert!(strict(&places) && places.len() <= 9);
+        let is_of_path =
+            |place: &[f64; 2]| path.iter().any(|p| off(p[0], place[0]) < 1e-9 && off(p[1], place[1]) < 1e-9);
+        assert!(places.iter().all(is_of_path));
+    }
+
+    #[test]
+    fn held_lines_stay_where_they_are() {
+        let path: Vec<[f64; 2]> = (0..10).map(|k| [f64::from(k) / 10.0, f64::from(k) / 10.0]).collect();
+        let even = vec![[0.05, 0.05], [0.3, 0.3], [0.31, 0.31], [0.75, 0.75]];
+        let mut spread = Spread::new(path, even, &[[0.3, 0.3]]);
+        assert_eq!(spread.is_held, [false, true, false, false]);
+        spread.is_kept[2] = true;
+        let places = spread.places();
+        assert_eq!(places.iter().filter(|place| **place == [0.3, 0.3]).count(), 1, "{places:?}");
+    }
+}

@@ -44,3 +44,32 @@ impl Parts {
         cuts
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_cut_to_each_corner_lies_at_it() {
+        let parts = Parts { corners: [vec![0.0, 0.3], vec![0.9]] };
+        let cuts = parts.cuts([0.25, 0.5], [0.35, 0.7]);
+        let even: Vec<f64> = (0..=PARTS).map(|k| k as f64 / PARTS as f64).collect();
+        assert_eq!(cuts.len(), even.len());
+        assert!((cuts[4] - 0.5).abs() < 1e-12, "the corner at 0.3 is half way");
+        assert!((0..=PARTS).filter(|&k| k != 4).all(|k| cuts[k] == even[k]));
+        // Across the seam, and on the other curve a lap on.
+        let cuts = parts.cuts([0.96, 1.85], [1.06, 1.95]);
+        assert!(
+            cuts.iter().any(|cut| (cut - 0.4).abs() < 1e-9)
+                && cuts.iter().any(|cut| (cut - 0.5).abs() < 1e-9)
+        );
+        assert!(cuts.windows(2).all(|w| w[0] < w[1]) && cuts[0] == 0.0 && cuts[PARTS] == 1.0);
+    }
+
+    #[test]
+    fn more_corners_than_cuts_and_a_way_without_length_do_no_harm() {
+        let parts = Parts { corners: [(0..20).map(|k| f64::from(k) / 100.0).collect(), vec![0.5]] };
+        let cuts = parts.cuts([0.0, 0.5], [0.2, 0.5]);
+        assert!(cuts.windows(2).all(|w| w[0] <= w[1]) && cuts.iter().all(|cut| (0.0..=1.0).contains(cut)));
+    }
+}

@@ -376,6 +376,32 @@ mod tests {
         }
     }
 
+    /// A square of straight pieces between corners, whose seam lies on a side.
+    fn square() -> ClosedBSpline {
+        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(DVec2::from);
+        let mut points: Vec<DVec2> = corners.iter().flat_map(|&corner| [corner; 3]).collect();
+        points.rotate_left(1);
+        ClosedBSpline::new(3, Form::Periodic, points, None).expect("a square")
+    }
+
+    #[test]
+    fn a_corner_counts_by_its_sides_and_not_by_its_bisector() {
+        let curves = [square(), curve(40, |_| 3.0)];
+        let refined = run(&curves, Weights::default());
+        assert!(refined.has_fans && refined.change.is_some_and(|change| change < SMALL_CHANGE));
+        // Plain samples that miss the corners know one-sided normals alone, and lose what lies between the last sample and the corner.
+        let lattice = |count: usize| {
+            let outlines = [0, 1].map(|axis| sample(&curves[axis], Scheme::ArcLength, count));
+            let corners = |u: &f64| (curves[0].point(*u).abs() - DVec2::ONE).length() < 1e-9;
+            assert!(!outlines[0].parameters.iter().any(corners), "no sample at a corner");
+            let problem = Problem::new(outlines.each_ref().map(Outline::from), Weights::default(), 0.0)
+                .expect("nested");
+            super::super::exact(&problem, super::super::ExactOptions::default()).expect("feasible").value
+        };
+        let off = [101, 203, 407].map(|count| (lattice(count) / refined.integral - 1.0).abs());
+        assert!(off[2] < off[0] && off[2] < 3e-3, "{off:?}");
+    }
+
     #[test]
     fn curves_that_cannot_be_matched_have_no_optimum() {
         let apart = [curve(24, |_| 1.0), curve(24, |t| if t < 3.0 { 1.2 } else { 0.8 })];

@@ -144,3 +144,75 @@ fn measures(curve: &ClosedBSpline, arc_length: &ArcLength) -> Vec<(f64, f64)> {
     measures.iter_mut().for_each(|(m, s)| (*m, *s) = (*m / measure, *s / share));
     measures
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::Form;
+    use glam::{DVec2, dvec2};
+
+    fn clamped(points: &[(f64, f64)]) -> ClosedBSpline {
+        let points = points.iter().copied().map(DVec2::from).collect();
+        ClosedBSpline::new(2, Form::Clamped, points, None).expect("a curve")
+    }
+
+    /// A square of straight pieces with three of its corners inside the domain and one at the seam.
+    fn square() -> ClosedBSpline {
+        let [a, b, c, d] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+        clamped(&[a, a, b, b, c, c, d, d, a])
+    }
+
+    #[test]
+    fn corners_are_two_samples_with_the_normals_of_their_sides() {
+        let outline = Spacing::new(&square()).outline(40);
+        let all: f64 = outline.shares.iter().sum();
+        assert!((all - 1.0).abs() < 1e-12 && outline.shares.iter().all(|&share| share > 0.0));
+        let n = outline.len();
+        let is_corner = |k: &usize| (outline.points[*k].abs() - DVec2::ONE).length() < 1e-9;
+        let corners: Vec<usize> = (0..n).filter(is_corner).collect();
+        assert_eq!((corners.len(), corners[0]), (4, 0), "the seam comes first");
+        for at in corners {
+            let (before, after) = (outline.normals[(at + n - 1) % n], outline.normals[at]);
+            assert!(before.perp_dot(after) > 1.0 - 1e-9, "a quarter turn to the left: {before} {after}");
+            assert!(outline.points[(at + n - 1) % n].distance(outline.points[at]) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn half_of_the_samples_follow_the_arc_and_the_others_the_turn() {
+        // An ellipse bends most at its narrow ends; a circle everywhere the same.
+        let ellipse = |b: f64| {
+            let point = |k: usize| {
+                let angle = std::f64::consts::TAU * k as f64 / 40.0;
+                dvec2(angle.cos(), b * angle.sin())
+            };
+            ClosedBSpline::new(3, Form::Periodic, (0..40).map(point).collect(), None).expect("a curve")
+        };
+        let shares = |curve: &ClosedBSpline| {
+            let shares = Spacing::new(curve).outline(200).shares;
+            let of = |f: fn(f64, f64) -> f64, start: f64| shares.iter().copied().fold(start, f);
+            (of(f64::min, 1.0), of(f64::max, 0.0))
+        };
+        let (least, most) = shares(&ellipse(1.0));
+        assert!(most / least < 1.01, "{least} {most}");
+        let (least, most) = shares(&ellipse(0.2));
+        assert!(most / least > 2.0 && most < 1.0 / 200.0 / (1.0 - BY_TURN) * 1.01, "{least} {most}");
+    }
+
+    #[test]
+    fn cut_edges_keep_their_samples_and_the_hair_at_a_corner() {
+        let spacing = Spacing::new(&square());
+        let coarse = spacing.outline(12);
+        let parts: Vec<usize> = (0..coarse.len()).map(|k| 1 + k % 3).collect();
+        let (fine, numbers) = spacing.finer(&coarse, &parts);
+        for (old, &new) in numbers.iter().enumerate() {
+            assert_eq!((coarse.points[old], coarse.normals[old]), (fine.points[new], fine.normals[new]));
+            let end = numbers.get(old + 1).copied().unwrap_or(fine.len());
+            let is_hair = coarse.shares[old] < SHORTEST_CUT;
+            assert_eq!(end - new, if is_hair { 1 } else { parts[old] });
+            let together: f64 = fine.shares[new..end].iter().sum();
+            assert!((together - coarse.shares[old]).abs() < 1e-15);
+        }
+        assert!(fine.points.iter().all(|point| (point.abs().max_element() - 1.0).abs() < 1e-9));
+    }
+}

@@ -4,8 +4,8 @@ use crate::document::{
     Code, CurvesDocument, Diagnostic, DocumentError, GapKind, IsoOptions, Outcome, Solution,
 };
 use crate::matching::{
-    Details, Insertion, Matching, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace, VertexSets,
-    trace, vertex_sets,
+    Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
+    VertexSets, trace, vertex_sets,
 };
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
@@ -100,6 +100,8 @@ struct DiagnosticResult {
     lines: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     parameter: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -254,6 +256,7 @@ impl From<&Diagnostic> for DiagnosticResult {
             vertices: None,
             lines: None,
             pins: None,
+            reason: None,
             parameter: None,
             turn: None,
             at: None,
@@ -268,7 +271,14 @@ impl From<&Diagnostic> for DiagnosticResult {
             Diagnostic::OpposedNormals { lines }
             | Diagnostic::Occluded { lines }
             | Diagnostic::Unverified { lines } => result.lines = Some(lines.clone()),
-            Diagnostic::Pins { pins, .. } => result.pins = Some(pins.clone()),
+            Diagnostic::Pins { pins, obstacle } => {
+                result.pins = Some(pins.clone());
+                result.reason = Some(match obstacle {
+                    Obstacle::PinsCross { .. } => "cross",
+                    Obstacle::NoRoom { .. } => "no-room",
+                    _ => "blocked",
+                });
+            }
             Diagnostic::Orphan { curve, vertices }
             | Diagnostic::Stuck { curve, vertices }
             | Diagnostic::Jammed { curve, vertices } => {

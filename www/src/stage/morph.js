@@ -2,6 +2,7 @@
  * The place between the curves: play, slider and its reading.
  *
  * @import { App } from "../state/app.js"
+ * @import { CurvesDocument } from "../types.js"
  */
 import { shownKey } from "../commands.js";
 import { slider } from "../controls/slider.js";
