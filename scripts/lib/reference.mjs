@@ -183,7 +183,7 @@ function scientific(value) {
  */
 function percent(gap, kind) {
   if (gap === null) return "–";
-  const text = `${(100 * gap).toFixed(2).replace("-", "−")} %`;
+  const text = `${(100 * gap).toFixed(2).replace("-", "−").replace("−0.00", "0.00")} %`;
   return kind === "lattice" ? text : `${text} *`;
 }
 
