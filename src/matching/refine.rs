@@ -18,6 +18,8 @@ const MOST_SAMPLES: usize = 10240;
 const SMALL_CHANGE: f64 = 1e-4;
 /// Rows and columns of the level before that are looked at on either side of its path.
 const HALF_WIDTH: i64 = 2;
+/// The same, at most, where there is no path so near to it.
+const WIDEST: i64 = 32;
 /// Lines of a vertex from which on the edges beside it are cut into four, and into eight.
 const FAN: [usize; 2] = [3, 5];
 
@@ -106,6 +108,8 @@ struct Last {
 #[derive(Debug)]
 struct Level {
     problem: Problem,
+    /// Rows and columns of the level before that are looked at on either side of its path.
+    width: i64,
     survey: Survey,
     rounds: Option<Rounds>,
 }
@@ -123,7 +127,7 @@ impl Refine {
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Option<Refined>> {
         loop {
             let Some(level) = &mut self.level else {
-                match self.next_level() {
+                match self.next_level(HALF_WIDTH) {
                     Some(level) => self.level = Some(level),
                     None => return Some(self.last.take().map(|last| last.refined)),
                 }
@@ -158,7 +162,13 @@ impl Refine {
 
     /// Takes the result of the level; returns whether the search has ended.
     fn take(&mut self, path: Option<Path>) -> bool {
-        let (Some(level), Some(path)) = (self.level.take(), path) else { return true };
+        let Some(level) = self.level.take() else { return true };
+        let Some(path) = path else {
+            // Finer samples see less of each other: the path may have to go farther round.
+            let wider = 4 * level.width;
+            self.level = (wider <= WIDEST).then(|| self.next_level(wider)).flatten();
+            return self.level.is_none();
+        };
         let integral = path.value;
         let before = self.last.as_ref().map(|last| last.refined.integral);
         let change = before.map(|before| ((integral - before) / integral).abs());
@@ -175,11 +185,11 @@ impl Refine {
     }
 
     /// The level after the last one; `None` when there is none or its samples cannot be matched.
-    fn next_level(&self) -> Option<Level> {
+    fn next_level(&self, width: i64) -> Option<Level> {
         let Some(Last { path, lines, refined: Refined { problem, .. } }) = &self.last else {
             let outlines = self.spacings.each_ref().map(|spacing| spacing.outline(FIRST_COUNT));
             let problem = Problem::new(outlines, self.weights, self.gap).ok()?;
-            return Some(Level { survey: Survey::new(&problem), problem, rounds: None });
+            return Some(Level { survey: Survey::new(&problem), problem, width: WIDEST, rounds: None });
         };
         let counts = problem.counts();
         let parts = parts(lines, counts);
@@ -189,8 +199,8 @@ impl Refine {
         let [first, second] =
             [0, 1].map(|axis| self.spacings[axis].finer(&problem.outlines()[axis], &parts[axis]));
         let problem = problem.resampled([first.0, second.0]).ok()?;
-        let band = band(path, counts, &[first.1, second.1], problem.counts());
-        Some(Level { survey: Survey::within(&problem, band), problem, rounds: None })
+        let band = band(path, width, counts, &[first.1, second.1], problem.counts());
+        Some(Level { survey: Survey::within(&problem, band), problem, width, rounds: None })
     }
 }
 
@@ -241,6 +251,7 @@ fn parts(lines: &[RulingLine], counts: (usize, usize)) -> [Vec<usize>; 2] {
 /// `finer` are the new counts.
 fn band(
     path: &Path,
+    width: i64,
     counts: (usize, usize),
     numbers: &[Vec<usize>; 2],
     finer: (usize, usize),
@@ -269,8 +280,8 @@ fn band(
                 old += 1;
             }
             let next = old + usize::from(numbers[0][old] < row);
-            let (first, last) = (span(old as i64 - HALF_WIDTH).0, span(next as i64 + HALF_WIDTH).1);
-            (column(first - HALF_WIDTH), column(last + HALF_WIDTH))
+            let (first, last) = (span(old as i64 - width).0, span(next as i64 + width).1);
+            (column(first - width), column(last + width))
         })
         .collect()
 }
