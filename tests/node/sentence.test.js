@@ -9,9 +9,6 @@ const preset = async (/** @type {string} */ name) =>
 const dx = await load({ module: "figure" });
 const amoeba = await preset("amoeba");
 
-/** @param {any} matching */
-const sentence = (matching) => describe(dx.match({ ...amoeba, matching: { ...amoeba.matching, ...matching } }));
-
 test("a verified result states its lines and eta", () => {
   const match = dx.match(amoeba);
   const { count, eta } = match.totals.pairs ?? assert.fail();

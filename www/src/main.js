@@ -185,7 +185,7 @@ function run(app) {
     bar,
     createInspector(app),
     createStatus(app),
-    later(app, () => true, () => import("./modes/modes.js").then(({ createModes }) => createModes)),
+    later(app, () => true, () => import("./after/after.js").then(({ createAfter }) => createAfter)),
   ];
   listenToPointer(app, handles, probe, reading);
   listenToKeys(app, handles);

@@ -69,7 +69,8 @@ export async function openRaw(t, { init, headers, context = {} }) {
  * @returns {Promise<Page>}
  */
 async function newPage(t, options, init) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  // Keeping the page for later is a test of its own, and work for the machine.
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, serviceWorkers: "block", ...options });
   t.after(() => context.close());
   if (init) await context.addInitScript(init);
   const page = await context.newPage();

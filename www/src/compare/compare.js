@@ -301,7 +301,7 @@ function textsOf(document, method, result, chosen) {
       : words.noBlend(faults);
   const nodes = wrong === null ? lineOf(document, method, result) : [wrong];
   const count = words.spokenCount(shownLines(match).length);
-  const spoken = words.spokenPicture([feasible ? "" : words.infeasible, count, mark]);
+  const spoken = words.spokenPicture([feasible ? "" : words.infeasible, count, feasible ? words.sound : "", mark]);
   return { name, line: nodes, failed: !feasible, eta, spoken };
 }
 

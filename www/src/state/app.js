@@ -6,6 +6,7 @@
  * @typedef {object} Note A sentence in the status line that stands until the next edit.
  * @property {"plain" | "error"} tone
  * @property {string} text
+ * @property {{name: string, text: string, act: () => void}} [command] what can be done about it
  *
  * @typedef {object} Ui
  * @property {"figure" | "steps" | "compare"} mode what the canvas is for
