@@ -69,9 +69,10 @@ export async function openRaw(t, { init, headers, context = {} }) {
  * @returns {Promise<Page>}
  */
 async function newPage(t, options, init) {
-  // Keeping the page for later is a test of its own, and work for the machine.
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, serviceWorkers: "block", ...options });
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   t.after(() => context.close());
+  // Keeping the page for use without a network has tests of its own, and is much work for the machine.
+  await context.addInitScript("Object.defineProperty(navigator, 'serviceWorker', { value: undefined });");
   if (init) await context.addInitScript(init);
   const page = await context.newPage();
   page.setDefaultTimeout(15_000);
