@@ -83,7 +83,7 @@ export interface CurvesDocument {
     printed?: ("normals" | "negative" | "stop" | "removal" | "order" | "heights" | "stages")[];
   };
   blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
-  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number };
+  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number; patterns?: boolean };
 }
 
 /** A document as an object, or its JSON text. */
@@ -365,6 +365,8 @@ export interface PictureOptions extends PictureSize, MatchOptions {
   line?: number | null;
   /** Index of the material whose lines of equal fraction the layer `isoComposition` shows. Default: the document's, else 0. */
   isoMaterial?: number | null;
+  /** Whether hatches stand in for the colours of the materials. Default: the document's, else false. */
+  patterns?: boolean | null;
 }
 
 /** Straight RGBA pixels, row by row from the top. */

@@ -10,6 +10,7 @@ mod dash;
 mod error;
 mod figure;
 mod grid;
+mod hatch;
 mod lines;
 mod list;
 mod mesh;

@@ -91,6 +91,7 @@ function assemble(kernel, store, restored, kept) {
     size: { width: 0, height: 0 },
     layers: [],
     isoMaterial: 0,
+    patterns: false,
     stageLabels: false,
     composing: false,
     key: null,

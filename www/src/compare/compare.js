@@ -114,6 +114,7 @@ export function createCompare(app, { stage, aside, status }) {
       theme: ui.value.theme,
       s: null,
       line: null,
+      patterns: ui.value.patterns,
     };
     const key = JSON.stringify(options);
     if (!force && key === asked && askedFor && hasSamePicture(askedFor, document)) return;

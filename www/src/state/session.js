@@ -29,7 +29,7 @@ export function keep(app) {
   let timer;
   const write = () => {
     clearTimeout(timer);
-    const { mode, selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
+    const { mode, selection, view, fitted, fitScale, layers, s, isoMaterial, patterns, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
@@ -37,7 +37,7 @@ export function keep(app) {
           document: app.store.document,
           edited: app.store.edited,
           kept: app.keeper.kept(),
-          ui: { mode, selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
+          ui: { mode, selection, view, fitted, fitScale, layers, s, isoMaterial, patterns, stageLabels, open, tab, snap },
         },
         "",
       );
