@@ -192,7 +192,9 @@ fn golden_patterns() {
 #[test]
 fn patterns_are_black_and_white() {
     let options = |patterns: bool| {
-        format!(r#"{{"width": 420, "height": 315, "patterns": {patterns}, "layers": ["material"], "s": null}}"#)
+        format!(
+            r#"{{"width": 420, "height": 315, "patterns": {patterns}, "layers": ["material"], "s": null}}"#
+        )
     };
     for (id, hatches) in [("three-materials", 3), ("void-core", 1)] {
         let grey = |picture: &golden::Picture| {

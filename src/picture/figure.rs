@@ -1,7 +1,6 @@
 //! The picture of a solved document.
 
-use super::hatch::{Blends, hatch};
-use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
 use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::{Problem, RulingLine};
@@ -51,7 +50,6 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     let mut drawing = Drawing {
         solution,
         options,
-        viewport,
         theme,
         is_small,
         on_band: band.is_some()
@@ -91,7 +89,6 @@ fn outlines(solution: &Solution, tolerance: f64) -> Path {
 struct Drawing<'a> {
     solution: &'a Solution,
     options: &'a FigureOptions,
-    viewport: &'a Viewport,
     theme: Theme,
     is_small: bool,
     /// Whether lines inside the band lie on its colours, and not on the canvas.
@@ -159,14 +156,11 @@ impl Drawing<'_> {
         } else {
             return;
         };
+        let used = |&index: &usize| blends.mixes.iter().any(|mix| mix.fractions()[index] > 0.0);
         let solid = self.solution.model.materials().iter().enumerate().filter(|(_, material)| !material.void);
-        for (index, _) in solid {
-            let path = hatch(&blends, index, self.viewport);
-            if !path.rings.is_empty() {
-                let color = self.theme.boundary.color;
-                self.list.push("material", Item::Fill { path, color, opacity: 1.0 });
-            }
-        }
+        let materials = solid.map(|(index, _)| index).filter(used).collect();
+        let (outline, color) = (self.outlines.clone(), self.theme.boundary.color);
+        self.list.push("material", Item::Hatch { blends, materials, outline, color });
     }
 
     fn in_betweens(&mut self, band: &Band) {

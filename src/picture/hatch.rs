@@ -1,8 +1,9 @@
 //! Hatches in place of colours: the angle of the lines tells the material, the share of the area that they cover its fraction.
 //!
 //! Lines of one material are parallel and evenly spaced on the screen. Across each triangle the width of a line is linear, as the fraction
-//! is, so that it covers a convex polygon: the triangle cut by two half planes. Where a material is alone its lines cover [`FULL`] of the
-//! area, for lines that fill it have no angle; half the fraction covers half of that, exactly.
+//! is, so that it covers a convex polygon: the triangle cut by two half planes. Pictures in pixels take how much of each pixel the
+//! lines cover, SVG the polygons. Where a material is alone its lines cover [`FULL`] of the area, for lines that fill it have no angle; half
+//! the fraction covers half of that, exactly.
 
 use glam::DVec2;
 
@@ -26,21 +27,29 @@ const LEAST: f64 = 1e-6;
 const MARGIN: f64 = 16.0;
 
 /// Triangles with a composition at each vertex, linear between them.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Blends {
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Blends {
     /// Vertices in document units.
-    pub(super) vertices: Vec<DVec2>,
+    pub vertices: Vec<DVec2>,
     /// Composition at each vertex.
-    pub(super) mixes: Vec<Composition>,
+    pub mixes: Vec<Composition>,
     /// Indices of the three vertices of each triangle.
-    pub(super) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Blends {
+    /// The fraction of a material at a vertex; none of one that is not there.
+    pub(super) fn fraction(&self, vertex: usize, material: usize) -> f64 {
+        self.mixes[vertex].fractions().get(material).copied().unwrap_or(0.0)
+    }
 }
 
 /// A corner on the screen, with the fraction of one material.
 type Corner = (DVec2, f64);
 
-/// Lines across the screen.
-struct Lines {
+/// The parallel lines of one material.
+#[derive(Clone, Copy)]
+pub(super) struct Lines {
     /// Across the lines, of unit length.
     normal: DVec2,
     /// Pixels from one line to the next.
@@ -51,11 +60,20 @@ struct Lines {
 
 impl Lines {
     /// The lines of a material. One of them passes through the origin of the document, so that they move with the figure.
-    fn new(material: usize, viewport: &Viewport) -> Self {
+    pub(super) fn new(material: usize, viewport: &Viewport) -> Self {
         let angle = ANGLES[material % ANGLES.len()].to_radians();
         let normal = DVec2::new(angle.sin(), angle.cos());
         let period = PERIOD * viewport.pixel_ratio * (1.0 + (material / ANGLES.len()) as f64 / 2.0);
         Self { normal, period, phase: normal.dot(viewport.place(DVec2::ZERO)).rem_euclid(period) }
+    }
+
+    /// How much of a pixel the lines cover where the material has a fraction: what a square of one pixel along the normal has of the
+    /// nearest line. The mean over a period is exact.
+    pub(super) fn coverage(&self, center: DVec2, fraction: f64) -> f64 {
+        let place = (self.normal.dot(center) - self.phase) / self.period;
+        let away = (place - (place + 0.5).floor()).abs() * self.period;
+        let half = fraction * FULL * self.period / 2.0;
+        ((away + 0.5).min(half) - (away - 0.5).max(-half)).clamp(0.0, 1.0)
     }
 
     /// Adds what the lines cover of a triangle.
@@ -100,8 +118,8 @@ pub(super) fn hatch(blends: &Blends, material: usize, viewport: &Viewport) -> Pa
     let lines = Lines::new(material, viewport);
     let frame = Frame::around(viewport, MARGIN);
     let corner = |index: u32| {
-        let fraction = blends.mixes[index as usize].fractions().get(material).copied().unwrap_or(0.0);
-        (viewport.place(blends.vertices[index as usize]), fraction)
+        let index = index as usize;
+        (viewport.place(blends.vertices[index]), blends.fraction(index, material))
     };
     let mut covered = Vec::new();
     for triangle in &blends.triangles {
@@ -144,16 +162,23 @@ mod tests {
     }
 
     /// Ink of each pixel, 0 to 1.
-    fn inked(path: Path, viewport: &Viewport) -> Vec<f64> {
+    fn inked(blends: &Blends, material: usize, viewport: &Viewport) -> Vec<f64> {
         let mut list = DisplayList::new(Some(Color::new(255, 255, 255)));
-        list.push("hatch", Item::Fill { path, color: INK, opacity: 1.0 });
+        let item = Item::Hatch {
+            blends: blends.clone(),
+            materials: vec![material],
+            outline: Path::default(),
+            color: INK,
+        };
+        list.push("hatch", item);
         let data = paint(&list, viewport).unwrap();
         data.chunks_exact(4).map(|pixel| 1.0 - f64::from(pixel[0]) / 255.0).collect()
     }
 
     /// Area of the rings, in units.
     fn area(path: &Path) -> f64 {
-        let ring = |r: &Vec<DVec2>| (0..r.len()).map(|i| r[i].perp_dot(r[(i + 1) % r.len()])).sum::<f64>() / 2.0;
+        let ring =
+            |r: &Vec<DVec2>| (0..r.len()).map(|i| r[i].perp_dot(r[(i + 1) % r.len()])).sum::<f64>() / 2.0;
         path.rings.iter().map(|r| ring(r).abs()).sum()
     }
 
@@ -169,7 +194,7 @@ mod tests {
                 let found = area(&hatch(&blends, material, &view)) / 1e4;
                 let bound = FULL * share * PERIOD / 400.0;
                 assert!((found - FULL * share).abs() <= bound, "{material} {share}: {found}");
-                let painted = inked(hatch(&blends, material, &view), &view).iter().sum::<f64>() / 160_000.0;
+                let painted = inked(&blends, material, &view).iter().sum::<f64>() / 160_000.0;
                 assert!((painted - found).abs() < 0.005, "{material} {share}: {painted}, {found}");
             }
         }
@@ -181,7 +206,7 @@ mod tests {
         let (none, all): (&[f64], &[f64]) = (&[1.0, 0.0], &[0.0, 1.0]);
         let blends = square([none, all, all, none]);
         let view = view(4.0);
-        let ink = inked(hatch(&blends, 1, &view), &view);
+        let ink = inked(&blends, 1, &view);
         // 392 pixels hold 56 lines along any side, or 40 diagonals.
         for (from, to) in [(20, 76), (100, 156), (180, 236), (260, 316), (340, 396)] {
             let columns = (10..402).flat_map(|y| (from..to).map(move |x| y * 420 + x));
@@ -197,7 +222,7 @@ mod tests {
         let view = view(4.0);
         let steps: [(isize, isize); 4] = [(1, 0), (1, -1), (0, -1), (-1, -1)];
         for material in 0..8 {
-            let ink = inked(hatch(&pure(material), material, &view), &view);
+            let ink = inked(&pure(material), material, &view);
             let change = |(dx, dy): (isize, isize)| {
                 let inside = (60..360_isize).flat_map(|y| (60..360_isize).map(move |x| (x, y)));
                 let at = |x: isize, y: isize| ink[(y * 420 + x) as usize];
@@ -250,7 +275,7 @@ mod tests {
             blends.triangles.extend([[i, i + 1, i + 2], [i + 2, i + 1, i + 3]]);
         }
         let view = view(3.0);
-        let ink = inked(hatch(&blends, 0, &view), &view);
+        let ink = inked(&blends, 0, &view);
         let rows = (100..320).map(|y| &ink[y * 420 + 100..y * 420 + 320]);
         for row in rows {
             assert!(row.iter().all(|value| (value - row[0]).abs() < 0.02), "{row:?}");

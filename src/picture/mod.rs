@@ -29,6 +29,7 @@ mod window;
 pub use error::PaintError;
 pub use figure::{FigureOptions, figure};
 pub use grid::{GridStep, grid_step};
+pub use hatch::Blends;
 pub use list::{DisplayList, Item, Layer, Mesh, Path, StrokeStyle};
 pub use options::PictureOptions;
 pub use painting::{Painting, paint};
