@@ -156,7 +156,7 @@ async function release(folder) {
   }
   assert.ok(fetching > 0, "something fetches About");
   const page = join(folder, "index.html");
-  await writeFile(page, (await readFile(page, "utf8")).replace("<title>Directrix</title>", "<title>Directrix 2</title>"));
+  await writeFile(page, (await readFile(page, "utf8")).replace('<html lang="en"', '<html lang="en" data-release="2"'));
   await writeOffline(folder, `# Changelog\n## [2]\n### Added\n- Something \`new\`, [linked](x.md),\n  in two lines.\n${await changelog()}`);
   return { old, next };
 }
@@ -198,7 +198,7 @@ test("an update waits, the old page stays whole, and Reload leads to the new one
   assert.equal((await fetch(`${server.url}assets/${old}`)).status, 404);
 
   await page.locator("[data-reload]").click();
-  await page.waitForFunction(() => document.title.includes("Directrix 2") || document.querySelector("title")?.textContent === "Directrix 2");
+  await page.waitForSelector("html[data-release='2']", { timeout: 30_000 });
   await ready(page);
   assert.equal((await documentOf(page)).curves[0].points[0][0], 3.21);
   asked.length = 0;
