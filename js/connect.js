@@ -94,7 +94,7 @@ class Client {
   #worker;
   #isClosed = false;
   #options;
-  #constructor;
+  #makes;
 
   /**
    * @param {import("./directrix.js").ConnectOptions} options
@@ -102,7 +102,7 @@ class Client {
    */
   constructor(options, { runsIn, constructor }) {
     this.#options = options;
-    this.#constructor = constructor;
+    this.#makes = constructor;
     this.runsIn = runsIn;
     const { promise, resolve, reject } = withResolvers();
     /** @type {Promise<void>} */
@@ -146,7 +146,7 @@ class Client {
    */
   #start(ready, failed) {
     // Bundlers know this form, and put the worker's address into it whatever the constructor is.
-    const Worker = this.#constructor;
+    const Worker = this.#makes;
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "directrix" });
     let answers = false;
     const fail = (/** @type {unknown} */ error) => {

@@ -1,7 +1,7 @@
 /**
  * The plane in a figure: a centre, and a scale in CSS pixels per unit.
  *
- * @import { CurvesDocument, Match, Point, View } from "../directrix.js"
+ * @import { CurvesDocument, Point, View } from "../directrix.js"
  *
  * @typedef {{ width: number, height: number }} Size in CSS pixels
  */

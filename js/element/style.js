@@ -80,10 +80,10 @@ button, .open {
 }
 button:focus-visible, .open:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 
-.play { flex: none; width: var(--play); height: var(--play); border-radius: 50%; background: var(--text); color: var(--canvas); }
-.play:hover { background: var(--text-2); }
-svg { display: block; fill: currentColor; }
-svg.check { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; }
+button.play { flex: none; width: var(--play); height: var(--play); border-radius: 50%; background: var(--text); color: var(--canvas); }
+button.play:hover { background: var(--text-2); }
+.icon { display: block; fill: currentColor; }
+.icon.check { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; }
 
 .slider { position: relative; display: flex; flex: 1; align-items: center; min-width: 40px; height: var(--play); margin: 0 calc(var(--thumb) / 2); }
 .slider::before {
@@ -168,7 +168,7 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 
 @media (forced-colors: active) {
   .body, .problem { border: 1px solid CanvasText; }
-  .play { border: 1px solid ButtonText; background: ButtonFace; color: ButtonText; }
+  button.play { border: 1px solid ButtonText; background: ButtonFace; color: ButtonText; }
   .slider::before { background: CanvasText; }
   input::-webkit-slider-thumb { background: ButtonFace; border: 2px solid ButtonText; }
   .handle::before { forced-color-adjust: none; }

@@ -19,6 +19,7 @@ export const words = {
     eta: (/** @type {string} */ value) => `η ${value}`,
     gap: (/** @type {string} */ value) => `heuristic, gap ${value} %`,
     incomplete: "Unfinished: a figure needs two curves",
+    problems: "not verified",
     noLines: "The curves cannot be matched as they lie",
   },
   morph: {
@@ -55,6 +56,7 @@ export const words = {
     document: (/** @type {string} */ text) => `This document cannot be shown. ${text}`,
     edit: (/** @type {string} */ text) => `Not possible here. ${text}`,
     preset: (/** @type {string} */ name) => `"${name}" was found; expected the name of a preset, of small letters, digits and hyphens`,
+    address: (/** @type {string} */ text) => `"${text}" was found; expected an address`,
     status: (/** @type {number} */ status) => `the server answered ${status}`,
     unreachable: "the address cannot be read; it may be wrong, or its server does not allow other pages to read it",
     tooLarge: "expected at most 4 MiB",
