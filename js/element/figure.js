@@ -409,7 +409,7 @@ export class DirectrixFigure extends Base {
   /** Paints in the theme of the place. */
   #paint() {
     const chosen = this.#choice("theme");
-    const theme = chosen === "auto" ? themeAround(this) : chosen === "dark" ? "dark" : "light";
+    const theme = chosen === "auto" ? themeAround(this, this.#frame.ground) : chosen === "dark" ? "dark" : "light";
     attribute(this.#frame.inner, "data-theme", theme);
     if (this.#scene.theme !== theme) {
       this.#scene.theme = theme;

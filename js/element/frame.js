@@ -39,15 +39,17 @@ export function createFrame(actions) {
   const problem = h("p", { class: "problem", role: "alert", hidden: "" });
   const speech = h("p", { class: "spoken", "aria-live": "polite" });
   const fallback = h("div", { class: "fallback" }, h("slot"));
+  const ground = h("span", { class: "ground" });
   const body = h("div", { class: "body", part: "body" }, head, picture, bar, working, revealed, problem, speech);
   const inner = h("div", { class: "frame", role: "group" }, body);
-  const element = h("div", { class: "whole" }, inner, fallback);
+  const element = h("div", { class: "whole" }, inner, fallback, ground);
   show.addEventListener("click", actions.reveal);
   let drawn = "";
 
   return {
     element,
     inner,
+    ground,
     canvas,
     picture,
     poster,

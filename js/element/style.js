@@ -57,6 +57,9 @@ canvas, .poster, .paper { position: absolute; inset: 0; display: block; width: 1
 .poster { object-fit: contain; }
 .frame:not([data-state="shown"]) canvas, .frame[data-state="shown"] .poster, .paper, [hidden] { display: none; }
 
+/* Tells light from dark, see theme.js. */
+.ground { display: none; background-color: Canvas; }
+
 .fallback { position: absolute; inset: 0; z-index: 1; overflow: auto; box-sizing: border-box; padding: 12px 16px; }
 .fallback[hidden] { display: none; }
 

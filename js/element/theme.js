@@ -1,22 +1,22 @@
 /** Whether a figure stands on a light or a dark page. */
 
 /**
- * Light or dark, as the place of an element asks for: by the first colour behind it, else by the colour scheme that its page declares.
+ * Light or dark, as the place of an element asks for: by the first colour behind it, else by the colour scheme of its page.
  *
  * @param {Element} element
+ * @param {Element} paper an element in it that has the background `Canvas`
  * @returns {"light" | "dark"}
  */
-export function themeAround(element) {
+export function themeAround(element, paper) {
   for (let each = parentOf(element); each; each = parentOf(each)) {
-    const [red, green, blue, alpha] = channels(getComputedStyle(each).backgroundColor);
-    // Luma, as of ITU-R BT.601, on half of its range.
-    if (alpha > 127) return 0.299 * red + 0.587 * green + 0.114 * blue < 128 ? "dark" : "light";
+    const color = channels(getComputedStyle(each).backgroundColor);
+    if (color[3] > 127) return isDark(color) ? "dark" : "light";
   }
-  const schemes = getComputedStyle(element).colorScheme.split(" ");
-  if (!schemes.includes("dark")) return "light";
-  if (!schemes.includes("light")) return "dark";
-  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  return isDark(channels(getComputedStyle(paper).backgroundColor)) ? "dark" : "light";
 }
+
+/** Luma, as of ITU-R BT.601, below half of its range. @param {Uint8ClampedArray} color */
+const isDark = ([red, green, blue]) => 0.299 * red + 0.587 * green + 0.114 * blue < 128;
 
 /**
  * Calls `change` when something happens that may change the theme of a page: the system's scheme, or a class or an attribute of its root.
