@@ -59,6 +59,7 @@ export class DirectrixFigure extends Base {
   #isNear = false;
   #isSeen = false;
   #isRevealed = false;
+  #owesFocus = false;
   #state = "waiting";
   /** @type {AbortController | null} */
   #fetching = null;
@@ -282,8 +283,18 @@ export class DirectrixFigure extends Base {
 
   #reveal() {
     this.#isRevealed = true;
+    this.#owesFocus = true;
     this.#render();
     this.#load();
+  }
+
+  /** The button that reveals a figure had the focus, and is gone: the next control gets it unless something else has. */
+  #handFocus() {
+    const { activeElement } = document;
+    if (this.#owesFocus && (!activeElement || activeElement === document.body)) {
+      this.#frame.bar.querySelector("button")?.focus({ preventScroll: true });
+    }
+    this.#owesFocus = false;
   }
 
   /** @param {CurvesDocument} document @param {boolean} isMoving */
@@ -319,10 +330,9 @@ export class DirectrixFigure extends Base {
       this.#handles.reset();
       this.#morph.stop();
     }
-    const hadFocus = this.#frame.revealed.contains(this.shadowRoot?.activeElement ?? null);
     this.#become("shown");
-    if (hadFocus) this.#frame.bar.querySelector("button")?.focus({ preventScroll: true });
     this.#render();
+    this.#handFocus();
     this.#linkLater();
     this.#paper.renew();
     if (kind === "load") this.#tell("load", { runsIn: this.runsIn });

@@ -34,8 +34,9 @@ export class Morph {
     this.elements = [this.#play, this.#slider, h("span", { class: "place", "aria-hidden": "true" }, h("i", {}, "s"), " ", this.#value)];
     this.#play.addEventListener("click", () => this.#toggle());
     this.#input.addEventListener("input", () => {
+      const s = this.#snapped(Number(this.#input.value));
       this.stop();
-      host.change(this.#snapped(Number(this.#input.value)));
+      host.change(s);
     });
   }
 

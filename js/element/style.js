@@ -83,10 +83,10 @@ button, .open {
 }
 button:focus-visible, .open:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 
-button.play { flex: none; width: var(--play); height: var(--play); border-radius: 50%; background: var(--text); color: var(--canvas); }
-button.play:hover { background: var(--text-2); }
+.play { flex: none; width: var(--play); height: var(--play); border-radius: 50%; background: var(--text); color: var(--canvas); }
+.play:hover { background: var(--text-2); }
 .icon { display: block; fill: currentColor; }
-.icon.check { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; }
+.icon-check { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; }
 
 .slider { position: relative; display: flex; flex: 1; align-items: center; min-width: 40px; height: var(--play); margin: 0 calc(var(--thumb) / 2); }
 .slider::before {
@@ -171,7 +171,7 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 
 @media (forced-colors: active) {
   .body, .problem { border: 1px solid CanvasText; }
-  button.play { border: 1px solid ButtonText; background: ButtonFace; color: ButtonText; }
+  .play { border: 1px solid ButtonText; background: ButtonFace; color: ButtonText; }
   .slider::before { background: CanvasText; }
   input::-webkit-slider-thumb { background: ButtonFace; border: 2px solid ButtonText; }
   .handle::before { forced-color-adjust: none; }

@@ -15,6 +15,7 @@ const NARROW = 480;
 const NARROW_SHAPE = 1;
 
 const place = /** @type {HTMLElement} */ (document.querySelector("#place"));
+const heading = /** @type {HTMLElement} */ (document.querySelector("#title"));
 const figure = document.createElement("directrix-figure");
 
 /** Attributes that a link sets. */
@@ -22,7 +23,9 @@ const ATTRIBUTES = /** @type {const} */ (["view", "step", "controls", "theme", "
 
 function start() {
   figure.addEventListener("load", () => {
-    document.title = words.title(figure.document?.title ?? "");
+    const title = figure.document?.title;
+    if (title) heading.textContent = title;
+    document.title = words.title(heading.textContent ?? "");
     tellState();
   });
   figure.addEventListener("change", tellLater);
