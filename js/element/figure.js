@@ -159,8 +159,9 @@ export class DirectrixFigure extends Base {
 
   disconnectedCallback() {
     for (const end of this.#endings.splice(0)) end();
-    this.#fetching?.abort();
-    if (this.#state === "loading") [this.#isStale, this.#state] = [true, this.#scene.document ? "shown" : "waiting"];
+    if (this.#fetching) this.#isStale = true;
+    this.#abort();
+    if (this.#state === "loading") this.#state = "waiting";
     this.#scene.cancel();
     this.#handles.reset();
     this.#morph.stop();
@@ -236,9 +237,14 @@ export class DirectrixFigure extends Base {
 
   /** Another document is wanted. */
   #reload() {
-    this.#fetching?.abort();
+    this.#abort();
     this.#isStale = true;
     this.#load();
+  }
+
+  #abort() {
+    this.#fetching?.abort();
+    this.#fetching = null;
   }
 
   /** Loads what is wanted, once somebody is about to see it. */
@@ -256,13 +262,21 @@ export class DirectrixFigure extends Base {
     const fetching = new AbortController();
     this.#fetching = fetching;
     this.#begin();
-    this.#read(fetching.signal).then(
-      (given) => {
-        if (!fetching.signal.aborted) this.#scene.open(given);
-      },
-    ).catch((error) => {
-      if (!fetching.signal.aborted) this.#failed("document", error);
-    });
+    void this.#open(fetching.signal);
+  }
+
+  /** @param {AbortSignal} signal */
+  async #open(signal) {
+    try {
+      const given = await this.#read(signal);
+      if (signal.aborted) return;
+      this.#fetching = null;
+      this.#scene.open(given);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#fetching = null;
+      this.#failed("document", error);
+    }
   }
 
   get #source() {
