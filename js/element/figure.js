@@ -7,7 +7,7 @@ import { DirectrixError } from "../errors.js";
 import { attribute, write } from "./dom.js";
 import { createFrame } from "./frame.js";
 import { Handles } from "./handles.js";
-import { release, use } from "./kernel.js";
+import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
 import { Paper } from "./paper.js";
 import { Scene } from "./scene.js";
@@ -262,6 +262,7 @@ export class DirectrixFigure extends Base {
     const fetching = new AbortController();
     this.#fetching = fetching;
     this.#begin();
+    warm();
     void this.#open(fetching.signal);
   }
 

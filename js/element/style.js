@@ -35,6 +35,7 @@ const CSS = `
   display: flex;
   flex-direction: column;
   box-sizing: border-box;
+  width: 100%;
   aspect-ratio: 16 / 10;
   height: 100%;
   min-height: 120px;
@@ -147,7 +148,7 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 }
 @media (pointer: coarse) { .handle { --hit: 44px; } }
 .handle::before {
-  content: ""; position: absolute; inset: calc(50% - 5.25px); border-radius: 50%; background: #ffffff; box-shadow: inset 0 0 0 1.5px var(--handle);
+  content: ""; position: absolute; inset: calc(50% - 5px); border-radius: 50%; background: #ffffff; box-shadow: inset 0 0 0 1.5px var(--handle);
 }
 .handle.square::before { border-radius: 2.5px; }
 .handle:hover::before { background: #eceafa; }
