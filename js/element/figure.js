@@ -22,12 +22,14 @@ const NEAR = "600px";
 const SLOW = 200;
 /** Milliseconds after a change until the link has it as well. */
 const SETTLED = 300;
+/** The largest step that a link may name. */
+const LAST_STEP = 1_000_000;
 /** Text shown at most of a message. */
 const LONGEST = 400;
 
 /** The values of attributes that have a fixed choice, the default first. */
 const CHOICES = {
-  controls: ["minimal", "full", "none"],
+  controls: ["full", "minimal", "none"],
   theme: ["auto", "light", "dark"],
   reveal: ["auto", "interaction"],
   view: ["figure", "steps", "compare"],
@@ -459,12 +461,13 @@ export class DirectrixFigure extends Base {
     if (!state) return;
     const { writeLink } = await import("../link.js");
     const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const view = this.#choice("view");
     const step = Number(this.getAttribute("step"));
+    const hasStep = Number.isInteger(step) && step >= 1 && step <= LAST_STEP;
+    const view = hasStep && !this.hasAttribute("view") ? "steps" : /** @type {"figure" | "steps" | "compare"} */ (this.#choice("view"));
     editor.hash = writeLink({
       document: state,
-      ...(view === "figure" ? {} : { view: /** @type {"steps" | "compare"} */ (view) }),
-      ...(view === "steps" && Number.isInteger(step) && step >= 1 ? { step } : {}),
+      ...(view === "figure" ? {} : { view }),
+      ...(view === "steps" && hasStep ? { step } : {}),
     });
     attribute(this.#frame.open, "href", editor.href);
   }
