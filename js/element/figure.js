@@ -6,6 +6,7 @@
 import { DirectrixError } from "../errors.js";
 import { attribute, write } from "./dom.js";
 import { createFrame } from "./frame.js";
+import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
 import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
@@ -53,6 +54,9 @@ export class DirectrixFigure extends Base {
   #frame;
   #scene;
   #handles;
+  #growth;
+  /** Place in the growth, 0 to 1, where it was moved; else that of the attribute. @type {number | null} */
+  #progress = null;
   #morph;
   #paper;
   /** The document set by the property. @type {DocumentInput | null} */
@@ -84,7 +88,7 @@ export class DirectrixFigure extends Base {
       canvas,
       urgency: () => (this.#isSeen ? 0 : 1),
       onsolved: (kind) => this.#solved(kind),
-      onpaint: () => this.#renderHandles(),
+      onpaint: () => this.#renderOverlay(),
       onprogress: (progress) => this.#progressed(progress),
       onproblem: (kind, error) => this.#failed(kind, error),
     });
@@ -93,15 +97,17 @@ export class DirectrixFigure extends Base {
       change: (document, isMoving) => this.#edit(document, isMoving),
       say: (text) => this.#say(text),
     });
+    this.#growth = new Growth();
     this.#morph = new Morph({
-      s: () => this.#scene.s,
-      stages: () => this.#scene.stages,
-      change: (s) => this.#setS(s),
+      s: () => (this.#isGrowth ? this.#place : this.#scene.s),
+      stages: () => (this.#isGrowth ? Math.max(1, this.#steps) : this.#scene.stages),
+      isGrowth: () => this.#isGrowth,
+      change: (s) => (this.#isGrowth ? this.#setPlace(s) : this.#setS(s)),
       isSeen: () => this.#isShownNow,
       say: (text) => this.#say(text),
     });
     this.#paper = new Paper(this.#scene, paper);
-    picture.append(this.#handles.element);
+    picture.append(this.#growth.element, this.#handles.element);
     bar.prepend(...this.#morph.elements);
     poster.addEventListener("error", () => (poster.hidden = true));
     const root = this.attachShadow({ mode: "open" });
@@ -181,7 +187,41 @@ export class DirectrixFigure extends Base {
       this.#given = null;
       this.#reload();
     }
+    if (name === "step") this.#progress = null;
     if (this.isConnected) this.#render();
+  }
+
+  /** Whether the figure shows the growth step by step. */
+  get #isGrowth() {
+    return this.#view === "steps";
+  }
+
+  /** A step without a view is one of the growth, as in a link. */
+  get #view() {
+    return this.hasAttribute("step") && !this.hasAttribute("view") ? "steps" : this.#choice("view");
+  }
+
+  /** The number of the steps. */
+  get #steps() {
+    return this.#scene.steps?.lines.length ?? 0;
+  }
+
+  /** The place in the growth, 0 to 1. */
+  get #place() {
+    if (this.#progress !== null) return this.#progress;
+    const step = Number(this.getAttribute("step") ?? 1);
+    return this.#steps === 0 ? 0 : Math.min(1, Math.max(0, Math.trunc(step) || 0) / this.#steps);
+  }
+
+  /** The step that the link leads to: the one shown, or one of the attribute that comes after the growth, as the editor has them. */
+  get #linkedStep() {
+    const given = Number(this.getAttribute("step") ?? 1);
+    const isLater = this.#progress === null && Number.isInteger(given) && given > this.#steps && given <= LAST_STEP;
+    return isLater ? given : Math.max(1, this.#step);
+  }
+
+  get #step() {
+    return Math.round(this.#place * this.#steps);
   }
 
   get #hasHandles() {
@@ -221,7 +261,7 @@ export class DirectrixFigure extends Base {
       if (!entry) return;
       const { width, height } = entry.contentRect;
       this.#scene.resize({ width: Math.round(width), height: Math.round(height) });
-      this.#renderHandles();
+      this.#renderOverlay();
     });
     near.observe(this);
     seen.observe(this);
@@ -317,7 +357,7 @@ export class DirectrixFigure extends Base {
   /** @param {CurvesDocument} document @param {boolean} isMoving */
   #edit(document, isMoving) {
     this.#scene.edit(document, isMoving);
-    this.#renderHandles();
+    this.#renderOverlay();
     this.#begin();
   }
 
@@ -327,6 +367,18 @@ export class DirectrixFigure extends Base {
     this.#scene.s = s;
     this.#morph.render();
     this.#tell("change", { reason: "s", s });
+    this.#linkLater();
+  }
+
+  /** @param {number} place in the growth */
+  #setPlace(place) {
+    const before = this.#step;
+    this.#progress = place;
+    this.#morph.render();
+    this.#renderOverlay();
+    if (this.#step === before) return;
+    this.#renderFrame();
+    this.#tell("change", { reason: "step", step: this.#step });
     this.#linkLater();
   }
 
@@ -346,6 +398,7 @@ export class DirectrixFigure extends Base {
     if (kind === "load") {
       this.#handles.reset();
       this.#morph.stop();
+      this.#progress = null;
     }
     this.#become("shown");
     this.#render();
@@ -415,6 +468,17 @@ export class DirectrixFigure extends Base {
 
   /** Brings the frame up to date, and the picture with it. */
   #render() {
+    const isRevealed = this.#renderFrame();
+    this.#scene.hasHandles = this.#hasHandles;
+    this.#scene.growsSteps = this.#isGrowth;
+    this.#morph.render();
+    this.#paint();
+    this.#linkLater();
+    if (isRevealed) this.#load();
+  }
+
+  /** Everything but picture and controls. @returns {boolean} whether the figure may be seen */
+  #renderFrame() {
     const isRevealed = this.#isRevealed || this.#choice("reveal") === "auto";
     this.#frame.render({
       state: this.#state,
@@ -425,12 +489,9 @@ export class DirectrixFigure extends Base {
       isRevealed,
       hasLink: this.getAttribute("editor") !== "none",
       layers: this.#scene.shownLayers,
+      growth: this.#isGrowth && this.#scene.steps ? { step: this.#step, steps: this.#steps } : null,
     });
-    this.#scene.hasHandles = this.#hasHandles;
-    this.#morph.render();
-    this.#paint();
-    this.#linkLater();
-    if (isRevealed) this.#load();
+    return isRevealed;
   }
 
   /** Paints in the theme of the place. */
@@ -442,10 +503,12 @@ export class DirectrixFigure extends Base {
       this.#scene.theme = theme;
       this.#scene.refresh();
     }
-    this.#renderHandles();
+    this.#renderOverlay();
   }
 
-  #renderHandles() {
+  #renderOverlay() {
+    const { steps, view, size } = this.#scene;
+    this.#growth.render({ steps: this.#isGrowth ? steps : null, step: this.#step, view, size });
     this.#handles.render();
   }
 
@@ -461,13 +524,11 @@ export class DirectrixFigure extends Base {
     if (!state) return;
     const { writeLink } = await import("../link.js");
     const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const step = Number(this.getAttribute("step"));
-    const hasStep = Number.isInteger(step) && step >= 1 && step <= LAST_STEP;
-    const view = hasStep && !this.hasAttribute("view") ? "steps" : /** @type {"figure" | "steps" | "compare"} */ (this.#choice("view"));
+    const view = /** @type {"figure" | "steps" | "compare"} */ (this.#view);
     editor.hash = writeLink({
       document: state,
       ...(view === "figure" ? {} : { view }),
-      ...(view === "steps" && hasStep ? { step } : {}),
+      ...(view === "steps" ? { step: this.#linkedStep } : {}),
     });
     attribute(this.#frame.open, "href", editor.href);
   }

@@ -140,6 +140,12 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 }
 .layers input:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 
+.growth { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }
+.growth path { fill: none; stroke-linecap: round; }
+.growth .accepted { stroke: var(--text); stroke-width: 1.25; }
+.growth .halo { stroke: var(--canvas); stroke-width: 6; }
+.growth .winner { stroke: var(--accent); stroke-width: 3; }
+
 .handles { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
 .handle {
   --hit: 24px;

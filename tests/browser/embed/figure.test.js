@@ -411,3 +411,28 @@ test("Open in Directrix leads to the same document at the same place", async () 
     });
   });
 });
+
+test("with the view of steps it shows the greedy growth up to a step, which keys and the link follow", async () => {
+  await visit(browser, host.page(`<directrix-figure preset="amoeba" view="steps" step="5" controls="minimal"></directrix-figure>`), {}, async (page) => {
+    const figure = await standing(page);
+    await listen(page);
+    const label = async () => (await stateOf(page)).label ?? "";
+    await eventually(async () => assert.match(await label(), /^Amoeba\. Step 5 of \d+ of the greedy growth$/));
+    const lines = () => figure.locator(".growth .accepted").evaluate((path) => (path.getAttribute("d") ?? "").split("M").length - 1);
+    assert.equal(await lines(), 4, "and the one that is accepted");
+    const steps = Number(/of (\d+)/.exec(await label())?.[1]);
+    const slider = figure.getByRole("slider", { name: "Steps of the greedy growth" });
+    await slider.press("ArrowRight");
+    await eventually(async () => assert.match(await label(), /Step 6 of/));
+    assert.equal(await slider.getAttribute("aria-valuetext"), `Step 6 of ${steps} of the greedy growth`);
+    assert.equal(await lines(), 5);
+    await eventually(async () => assert.match((await stateOf(page)).href, /&view=steps&step=6$/));
+    assert.ok((await eventsOf(page)).some(({ reason, step }) => reason === "step" && step === 6));
+    await figure.evaluate((element) => element.setAttribute("step", "100000"));
+    await eventually(async () => assert.equal(await lines(), steps - 1));
+    assert.deepEqual(await audit(page), []);
+    await figure.evaluate((element) => element.setAttribute("view", "figure"));
+    await eventually(async () => assert.match(await label(), /44 lines/));
+    assert.equal(await lines(), 0);
+  });
+});
