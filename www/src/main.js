@@ -37,7 +37,7 @@ import { find } from "./dom.js";
 import { keyWithin } from "./state/composition.js";
 import { Record } from "./state/record.js";
 import { only, within } from "./state/selection.js";
-import { keep, restore } from "./state/session.js";
+import { keep, restore, takeHash } from "./state/session.js";
 import { originOf, Store } from "./state/store.js";
 import { createKeeper } from "./storage/keeper.js";
 import { strings } from "./strings.js";
@@ -48,7 +48,7 @@ const root = document.documentElement;
 async function start() {
   const kernel = await connect({ module: "full" });
   const former = await formerSession(kernel);
-  const arrival = location.hash ? await (await sharing()).arrive(kernel, former) : null;
+  const arrival = location.hash ? await sharing().then(({ arrive }) => arrive(kernel, former)).catch(takeHash) : null;
   const { document: first, edited, ui, kept } = former ?? arrival?.session ?? (await firstSession(kernel));
   const store = new Store(first);
   store.open(first, edited, originOf(kept ? origin(kept) : {}));
@@ -59,12 +59,12 @@ async function start() {
     addEventListener(type, () => {
       // Read at once, before the page writes what is open now.
       const entry = restore();
-      void sharing().then(({ follow }) => follow(app, entry));
+      void sharing().then(({ follow }) => follow(app, entry)).catch(takeHash);
     });
   }
 }
 
-/** Reads links; loaded when the address has one. */
+/** Reads links; loaded when the address has one. Without it the page works as if there were none. */
 const sharing = () => import("./share/arrive.js");
 
 /**
