@@ -502,6 +502,8 @@ type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A
 export type Connection = { [K in Exclude<keyof Directrix, "job">]: Asynchronous<Directrix[K]> } & {
   /** Ends the worker. */
   close(): void;
+  /** The worker of the page's own origin, or one made on the page because the package comes from another. */
+  readonly runsIn: "worker" | "blob worker";
   /** Called when a new worker has taken over from one whose module trapped. */
   onrestart: (() => void) | undefined;
 };
@@ -560,6 +562,7 @@ export type ErrorCode =
   | "link"
   | "trap"
   | "closed"
+  | "no-worker"
   | "failed";
 
 export class DirectrixError extends Error {
