@@ -83,7 +83,7 @@ export interface CurvesDocument {
     printed?: ("normals" | "negative" | "stop" | "removal" | "order" | "heights" | "stages")[];
   };
   blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
-  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number };
+  view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number; patterns?: boolean };
 }
 
 /** A document as an object, or its JSON text. */
@@ -98,6 +98,8 @@ export interface Diagnostic {
   lines?: number[];
   /** Indices of pins. */
   pins?: number[];
+  /** Of pins that cannot be kept: one meets a curve, two cross, or they leave no room for the lines beside or between them. */
+  reason?: "blocked" | "cross" | "no-room";
   parameter?: number;
   /** Degrees. */
   turn?: number;
@@ -122,7 +124,7 @@ export interface Line {
   visible: boolean;
 }
 
-/** A one-to-one line; at a gap of the method `greedy` that could not be verified, a line of the star matching. */
+/** A one-to-one line; at a gap where such lines could not be verified, a line of the matching between samples. */
 export interface Pair {
   /** Parameter on the first counter-clockwise curve. */
   u: number;
@@ -180,10 +182,14 @@ export interface Match {
     lines: LineTotals | null;
     pairs: LineTotals | null;
   };
-  /** How far J stays below the optimum; null where that is not known. */
+  /** How far J of the lines stays below the optimum: 1 - J/J*; null where that is not known. */
   gap: number | null;
-  /** Whether the optimum is that on the curves themselves or that between the same samples. */
-  gapKind: "refined" | "lattice" | null;
+  /** Whether the optimum is that on the curves themselves, a supremum on these that one-to-one lines only come near, or that between the same samples. */
+  gapKind: "refined" | "supremum" | "lattice" | null;
+  /** J*, which the gap is measured against. */
+  optimum: number | null;
+  /** Relative change of J* on the curves when the samples were last made finer; null where it is not on the curves. */
+  optimumChange: number | null;
   /** Whether the refinement on the curves was left out, which a call without `coarse` does. */
   coarse: boolean;
 }
@@ -365,6 +371,8 @@ export interface PictureOptions extends PictureSize, MatchOptions {
   line?: number | null;
   /** Index of the material whose lines of equal fraction the layer `isoComposition` shows. Default: the document's, else 0. */
   isoMaterial?: number | null;
+  /** Whether hatches stand in for the colours of the materials. Default: the document's, else false. */
+  patterns?: boolean | null;
 }
 
 /** Straight RGBA pixels, row by row from the top. */
@@ -525,6 +533,8 @@ type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A
 export type Connection = { [K in Exclude<keyof Directrix, "job">]: Asynchronous<Directrix[K]> } & {
   /** Ends the worker. */
   close(): void;
+  /** The worker of the page's own origin, or one made on the page because the package comes from another. */
+  readonly runsIn: "worker" | "blob worker";
   /** Called when a new worker has taken over from one whose module trapped. */
   onrestart: (() => void) | undefined;
 };
@@ -534,6 +544,15 @@ export function load(options?: LoadOptions): Promise<Directrix>;
 
 /** Starts a worker; browsers only. */
 export function connect(options?: ConnectOptions): Promise<Connection>;
+
+/**
+ * What a matching is worth in one sentence, for captions and screen readers: `44 lines, none crossing, none blocked, eta 0.981`. It speaks of
+ * one-to-one lines where there are such, and counts what fails.
+ */
+export function describe(match: Match): string;
+
+/** The curves of a document in a sentence each: degree, control points, size, materials. */
+export function describeCurves(document: CurvesDocument): string;
 
 /** What a link says: the document it leads to, and how that is shown. Of `document`, `preset` and `url` at most one is there. */
 export interface Link {
@@ -574,6 +593,7 @@ export type ErrorCode =
   | "link"
   | "trap"
   | "closed"
+  | "no-worker"
   | "failed";
 
 export class DirectrixError extends Error {

@@ -10,6 +10,7 @@ mod fields;
 mod insert_point;
 mod iso_options;
 mod json;
+mod memory;
 mod model;
 mod node;
 #[cfg(feature = "paths")]
@@ -25,6 +26,7 @@ pub(crate) use fields::layers;
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;
+pub use memory::Memory;
 pub use model::Model;
 pub(crate) use node::Node;
 #[cfg(feature = "paths")]

@@ -194,7 +194,6 @@ mod tests {
 
     #[test]
     fn values_of_later_releases_are_refused_by_path() {
-        expect_at(Code::NotYet, "matching.printed[0]", "/matching/printed", json!(["stages"]));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("cubic"));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("harmonic"));
         expect_at(Code::NotYet, "curves[0].form", "/curves/0/form", json!("open"));
@@ -261,6 +260,7 @@ mod tests {
         expect_at(Code::Range, "view.s", "/view/s", json!(1.5));
         expect_at(Code::Range, "view.isoMaterial", "/view/isoMaterial", json!(2));
         expect_at(Code::Type, "view.isoMaterial", "/view/isoMaterial", json!(-1));
+        expect_at(Code::Type, "view.patterns", "/view/patterns", json!("yes"));
         expect_at(Code::Range, "view.layers[0]", "/view/layers", json!(["rulings"]));
     }
 }

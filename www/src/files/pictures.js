@@ -87,6 +87,6 @@ export function svgOf(app, appearance, place = {}) {
  * @returns {Omit<PaintOptions, "width" | "height">}
  */
 function options(app, { theme, transparent }) {
-  const { view, layers, s, isoMaterial } = app.ui.value;
-  return { ...(view ? { view } : {}), layers, theme, s, isoMaterial, line: null, background: !transparent };
+  const { view, layers, s, isoMaterial, patterns } = app.ui.value;
+  return { ...(view ? { view } : {}), layers, theme, s, isoMaterial, patterns, line: null, background: !transparent };
 }

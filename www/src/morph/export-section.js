@@ -290,12 +290,12 @@ export function createMorphExport(app) {
       return written(paths);
     }
     const { title, materials } = app.store.document;
-    const { size, view, layers, motion } = app.ui.value;
+    const { size, view, layers, patterns, motion } = app.ui.value;
     const made = await found();
     const options = { paths: made, motion, materials, size, theme: wanted.theme };
     if (wanted.shows === "shape" || !view) return animatedShape(title, wanted.transparent, options);
     const figure = await svgOf(app, wanted, { s: null });
-    const onBand = layers.includes("material") || layers.includes("unitCells");
+    const onBand = patterns || layers.includes("material") || layers.includes("unitCells");
     return animatedFigure(figure, view, onBand, options);
   }
 
