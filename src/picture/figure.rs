@@ -4,7 +4,7 @@ use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Vi
 use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::{Problem, RulingLine};
-use crate::material::{Color, Oklab, mix_colors};
+use crate::material::{Oklab, mix_colors};
 use crate::morph::{Band, Ruling, unit_cells};
 use glam::DVec2;
 
@@ -179,7 +179,7 @@ impl Drawing<'_> {
 
     /// The current in-between curve. On the bare canvas, where no band shows the material, it wears that of its own points.
     fn current(&mut self, band: &Band, s: f64) {
-        let line = band.in_between(s);
+        let mut line = band.in_between(s);
         let is_shown = self.shows(LayerName::Material) || self.shows(LayerName::UnitCells);
         if is_shown || self.options.patterns {
             self.cased("current", Path::closed(line), self.theme.current);
@@ -187,29 +187,26 @@ impl Drawing<'_> {
         }
         let casing = StrokeStyle { width_px: WORN_WIDTH + 2.0, ..self.theme.boundary };
         self.stroke("current", Path::closed(line.clone()), casing);
-        let (colors, rulings) = (self.colors(), band.rulings());
-        let mut run: Option<(Color, Vec<DVec2>)> = None;
-        for (k, &point) in line.iter().enumerate() {
-            let next = (k + 1) % line.len();
-            let middle = rulings[k].composition(s).mix(&rulings[next].composition(s), 0.5);
-            let color = mix_colors(&colors, &middle).to_color();
-            let mut points = match run.take() {
-                Some((same, points)) if same == color => points,
-                before => {
-                    self.worn(before);
-                    vec![point]
-                }
-            };
-            points.push(line[next]);
-            run = Some((color, points));
-        }
-        self.worn(run);
-    }
-
-    /// A stretch of the current in-between curve in one colour.
-    fn worn(&mut self, run: Option<(Color, Vec<DVec2>)>) {
-        if let Some((color, points)) = run {
-            self.stroke("current", Path::open(points), StrokeStyle::solid(WORN_WIDTH, color, 1.0));
+        let materials = self.colors();
+        let shades: Vec<Oklab> = band
+            .rulings()
+            .iter()
+            .map(|ruling| {
+                let [near, far] = end_colors(ruling, &materials);
+                near.lerp(far, s as f32)
+            })
+            .collect();
+        let count = line.len();
+        line.push(line[0]);
+        let (mut start, mut worn) = (0, None);
+        for k in 0..=count {
+            let next = shades[k % count].lerp(shades[(k + 1) % count], 0.5).to_color();
+            if let Some(color) = worn.filter(|&color| color != next || k == count) {
+                let style = StrokeStyle::solid(WORN_WIDTH, color, 1.0);
+                self.stroke("current", Path::open(line[start..=k].to_vec()), style);
+                start = k;
+            }
+            worn = Some(next);
         }
     }
 
@@ -321,6 +318,11 @@ impl Drawing<'_> {
     }
 }
 
+/// The colours at both ends of a ruling.
+fn end_colors(ruling: &Ruling, colors: &[Oklab]) -> [Oklab; 2] {
+    ruling.ends.each_ref().map(|end| mix_colors(colors, end))
+}
+
 /// The band as a strip of triangles, with the colour of the composition at every end of a ruling.
 ///
 /// Every second ruling serves where there are many: the colour is hardly bent, and the outline cuts the strip to the curves.
@@ -329,7 +331,7 @@ fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
     let mut mesh = Mesh::default();
     for ruling in band.rulings().iter().step_by(stride) {
         mesh.vertices.extend([ruling.from, ruling.to]);
-        mesh.colors.extend(ruling.ends.each_ref().map(|end| mix_colors(colors, end)));
+        mesh.colors.extend(end_colors(ruling, colors));
     }
     let count = mesh.vertices.len() as u32;
     for this in (0..count).step_by(2) {
