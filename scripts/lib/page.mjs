@@ -6,9 +6,12 @@ import { run } from "./run.mjs";
 import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
 import { thumbnails } from "./thumbnails.mjs";
 
+/** What turns the texts of lessons into what the page shows. */
+const lessonReaders = ["lesson", "lesson-text", "lesson-plugin"].map((name) => `scripts/lib/${name}.mjs`);
+
 /** @type {import("./stamp.mjs").Made} */
 const made = {
-  from: ["www", "js", "vite.config.js", "package.json", "package-lock.json"].map((path) => join(root, path)),
+  from: ["www", "js", "vite.config.js", ...lessonReaders, "package.json", "package-lock.json"].map((path) => join(root, path)),
   to: [dist],
 };
 
