@@ -23,7 +23,8 @@
  * @property {{text: string, right: boolean}[]} choices HTML; none where the answer is a vertex of the figure
  * @property {string} answer HTML: what is right, and why
  *
- * @typedef {{kind: "text" | "formula", html: string} | {kind: "question", question: Question}} Block
+ * @typedef {{kind: "text" | "formula", html: string} | {kind: "question", question: Question} | {kind: "figure"}} Block
+ *   The figure stands where the text says, else before the first question, else at the end.
  *
  * @typedef {object} Step
  * @property {string} title
@@ -144,6 +145,9 @@ function readStep(lines, base, documents, facts, refuse) {
     if (text.startsWith("$$")) {
       if (!/^\$\$[^$]+\$\$$/.test(text)) refuse(at, "formula", "a formula stands between two lines $$, with no empty line in it");
       blocks.push({ kind: "formula", html: mathematics(text.slice(2, -2), true, (message) => refuse(at, "formula", message)) });
+    } else if (text === "[figure]") {
+      if (blocks.some(({ kind }) => kind === "figure")) refuse(at, "text", "a step has one figure, whose place is given once");
+      blocks.push({ kind: "figure" });
     } else if (text.startsWith("? ")) blocks.push({ kind: "question", question: readQuestion(text, at, figure, html, refuse) });
     else if (text.startsWith("- ")) {
       const items = text.split(/\n(?=- )/).map((item) => `<li>${html(joined(item.slice(2)), at, "text")}</li>`);
@@ -152,6 +156,8 @@ function readStep(lines, base, documents, facts, refuse) {
     else blocks.push({ kind: "text", html: `<p>${html(joined(text), at, "text")}</p>` });
   }
   if (!blocks.some(({ kind }) => kind === "text")) refuse(base, "text", "a step has text");
+  const question = blocks.findIndex(({ kind }) => kind === "question");
+  if (!blocks.some(({ kind }) => kind === "figure")) blocks.splice(question < 0 ? blocks.length : question, 0, { kind: "figure" });
   return { figure, blocks };
 }
 

@@ -123,7 +123,7 @@ Text with $x$ and a [term](lines).
 test("the smallest lesson is read", () => {
   const { lesson } = readLesson("small", GOOD, documents);
   assert.equal(lesson.steps.length, 1);
-  assert.deepEqual(lesson.steps[0]?.blocks.map(({ kind }) => kind), ["text", "question"]);
+  assert.deepEqual(lesson.steps[0]?.blocks.map(({ kind }) => kind), ["text", "figure", "question"]);
 });
 
 /** @type {[string, (text: string) => string, RegExp][]} */
@@ -153,6 +153,7 @@ const BAD = [
   ["a fact without its number", (t) => t.replace("Text", "{f: 4} Text"), /text: the fact f has 1 numbers behind its name, not 0/],
   ["a mark left open", (t) => t.replace("Text", "*Text"), /text: the sign \* in/],
   ["a form that lessons do not have", (t) => t.replace("Text", "> Text"), /text: "> Text/],
+  ["two places for its figure", (t) => t.replace("\n? Is", "\n[figure]\n\n[figure]\n\n? Is"), /text: a step has one figure, whose place is given once/],
   ["no text", (t) => t.replace(/Text.*\n/, ""), /text: a step has text/],
   ["a question without its answer", (t) => t.replace("= It is.\n", ""), /line 13, question: its last line is the answer/],
   ["a question with two right answers", (t) => t.replace("[ ] No", "[x] No"), /question: has two choices at least, one of them right: there are 2 with 2 right/],
@@ -173,6 +174,6 @@ for (const [fault, change, message] of BAD) {
 
 test("a lesson is named so that it fits into a link, and markup in its text stays text", () => {
   assert.throws(() => readLesson("My lesson", GOOD, documents), /name: a lesson is named in small letters/);
-  const { lesson } = readLesson("small", GOOD.replace("Text", "<img src=x onerror=alert(1)> Text"), documents);
+  const { lesson } = readLesson("small", GOOD.replace("Text", "Text <img src=x onerror=alert(1)>"), documents);
   assert.ok(!JSON.stringify(lesson).includes("<img"));
 });

@@ -17,6 +17,7 @@ import { listenToShortcuts } from "./frame/shortcuts.js";
 import { createSpeech } from "./frame/speech.js";
 import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
+import { workbenchOf } from "./frame/workbench.js";
 import { firstPreset } from "./gallery/first.js";
 import { listenToPaste } from "./import/paste.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
@@ -108,6 +109,7 @@ function assemble(kernel, store, restored, kept) {
     snap: false,
     drawing: false,
     ...restored,
+    workbench: workbenchOf(),
   });
   /** @type {Record<Results>} */
   const results = new Record({ ...NO_RESULTS });
@@ -176,6 +178,7 @@ function run(app) {
     ),
     later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
     later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
+    later(app, ({ workbench }) => workbench === "lessons", () => import("./lessons/lessons.js").then(({ createLessons }) => createLessons)),
     createLegend(app),
     createZoom(app),
     morph,
@@ -190,6 +193,7 @@ function run(app) {
   listenToDrop(app);
   listenToPaste(app);
   followSystem(app);
+  addEventListener("hashchange", () => ui.set({ workbench: workbenchOf() }));
   keep(app);
 
   const progress = find("#progress");

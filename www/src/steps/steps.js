@@ -39,6 +39,11 @@ let last = { document: null, at: 1 };
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["growth", "step", "candidates"], tab: "step" };
 
+/** Where the view will stand when it is entered next. @param {CurvesDocument} document the open one @param {number} at */
+export function startAt(document, at) {
+  last = { document, at };
+}
+
 /**
  * @param {App} app
  * @param {Place} place
