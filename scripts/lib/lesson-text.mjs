@@ -69,7 +69,7 @@ export function prose(text, view, refuse) {
         const count = Object.hasOwn(FACTS, fact) ? FACTS[fact]?.arguments : refuse(`there is no fact "${fact}"; there are: ${Object.keys(FACTS).join(", ")}`);
         if (numbers.length !== count) refuse(`the fact ${fact} has ${count} numbers behind its name, not ${numbers.length}`);
         facts.push({ name: fact, arguments: numbers, shown });
-        html += `<span class="number">${escaped(shown)}</span>`;
+        html += `<span class="number">${escaped(shown.replace(" ", "\u00a0"))}</span>`;
       } else if (strong !== undefined) html += `<strong>${inline(strong)}</strong>`;
       else html += `<em>${inline(emphasis ?? "")}</em>`;
     }

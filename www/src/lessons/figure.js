@@ -56,7 +56,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
   let changed = false;
   let asked = 0;
 
-  const surface = createSurface({ resized: () => view.draw(), pointed });
+  const surface = createSurface({ painted: figure.view === "figure", resized: () => view.draw(), pointed });
   const host = {
     element,
     surface,

@@ -41,7 +41,7 @@ export function createLessons(app) {
   const foot = h("nav", { class: "lesson-foot", "aria-label": words.steps }, back, count, next);
   const scroll = h("main", { class: "lesson-scroll" }, place, foot, h("p", { class: "spoken" }, words.keys));
   const element = h("div", { class: "lessons", hidden: true }, list.element, scroll);
-  find("#status").after(element);
+  find("#speech").before(element);
 
   const title = h("span", { class: "lesson-title" });
   const present = h("button", { type: "button", class: "bare word lesson-present", title: words.presentTitle, "data-lesson": "present", onclick: () => enlarge(true) }, words.present);

@@ -13,7 +13,7 @@
  */
 import "../../styles/steps.css";
 import { advice } from "../explain.js";
-import { attribute, h, write } from "../dom.js";
+import { attribute, h } from "../dom.js";
 import { significantText } from "../format.js";
 import { outline } from "../spline.js";
 import { Lane } from "../state/lane.js";
@@ -61,6 +61,7 @@ export function createStepsView(app, host, figure) {
   let playing = false;
   let speed = 1;
   let over = false;
+  let fits = 0;
   /** The question about a vertex, while it is open or has been answered. @type {Prediction | null} */
   let prediction = null;
   /** Told once when a vertex is chosen. @type {((right: boolean, text: string) => void) | null} */
@@ -80,20 +81,17 @@ export function createStepsView(app, host, figure) {
     togglePrediction: () => {},
   });
 
-  /** @type {Lane<CurvesDocument, {steps: Steps, view: View}>} */
+  /** @type {Lane<CurvesDocument, Steps>} */
   const lane = new Lane({
-    async work(job, signal) {
-      const [found, fitted] = await Promise.all([kernel.steps(job, { signal }), fit(job)]);
-      return { steps: found, view: fitted };
-    },
-    done(result, job) {
+    work: (job, signal) => kernel.steps(job, { signal }),
+    done(found, job) {
       if (over || job !== document) return;
-      ({ steps, view } = result);
+      steps = found;
       sets.clear();
       at = start = momentOf(steps, figure.step);
       host.failed(steps.growth.length === 0 ? new Error(advice(steps) || stepWords.noSteps) : null);
       if (ask) prediction = begun(at - 1);
-      render();
+      void fit();
     },
     failed(error) {
       if (over || /** @type {Error} */ (error).name === "AbortError") return;
@@ -114,10 +112,19 @@ export function createStepsView(app, host, figure) {
     failed: () => {},
   });
 
-  /** @param {CurvesDocument} job */
-  function fit(job) {
-    const { width, height } = surface.size();
-    return kernel.fit(job, { width: Math.max(1, width), height: Math.max(1, height) });
+  /** Fits the curves into the picture as large as it is now, and draws them. */
+  async function fit() {
+    const size = surface.size();
+    if (!document || size.width < 1) return;
+    const turn = (fits += 1);
+    try {
+      const fitted = await kernel.fit(document, size);
+      if (over || turn !== fits) return;
+      view = fitted;
+      render();
+    } catch (error) {
+      if (!over && turn === fits) host.failed(error);
+    }
   }
 
   const hidden = () => steps !== null && isHidden(prediction, steps, at);
@@ -199,7 +206,7 @@ export function createStepsView(app, host, figure) {
     attribute(picture.element, "viewBox", `0 0 ${size.width} ${size.height}`);
     const text = `${stepWords.spokenStep(at, end())}: ${spoken()}`;
     attribute(picture.element, "aria-label", at === start && !isSecret ? `${host.alt()} ${text}` : text);
-    write(reading, text);
+    reading.replaceChildren(h("span", {}, ...withPowers(text)));
     vertices.hidden = !isSecret;
     surface.element.classList.toggle("asks", isSecret);
     transport.render({ steps, at, total: end(), text, playing, still: still.matches, predicting: false });
@@ -322,16 +329,7 @@ export function createStepsView(app, host, figure) {
       hovered = null;
       lane.push(next);
     },
-    draw() {
-      if (!document || !steps) return;
-      const here = document;
-      void fit(here).then((fitted) => {
-        if (over || document !== here) return;
-        view = fitted;
-        render();
-      }, host.failed);
-      render();
-    },
+    draw: () => void fit(),
     state: () => (document ? { document, s: null, step: at } : null),
     ask(told) {
       ask = told;
@@ -350,3 +348,6 @@ export function createStepsView(app, host, figure) {
     },
   };
 }
+
+/** A sentence in which powers of ten stand raised. @param {string} text @returns {(string | Node)[]} */
+const withPowers = (text) => text.split(/\^(\S+?)(?=[,\s]|$)/).map((part, k) => (k % 2 === 1 ? h("sup", {}, part) : part));

@@ -8,15 +8,18 @@
 import { attribute, h, svg } from "../dom.js";
 import { partAt, pathsOf } from "./parts.js";
 
-/** How much thicker strokes are in a presentation. */
+/** How much thicker strokes are in a presentation, at most. */
 const LARGE = 1.6;
+/** The shorter side from which the kernel draws samples: smaller grounds are drawn as large as this, and shrunk. CSS pixels. */
+const SAMPLES = 420;
 
 /**
  * @param {object} acts
+ * @param {boolean} acts.painted whether the kernel paints on it
  * @param {() => void} acts.resized
  * @param {(term: string | null) => void} acts.pointed at what a term of the text names
  */
-export function createSurface({ resized, pointed }) {
+export function createSurface({ painted, resized, pointed }) {
   const under = svg("path", { class: "lit-under" });
   const area = svg("path", { class: "lit-area" });
   const strokes = svg("path", { class: "lit-strokes" });
@@ -26,6 +29,7 @@ export function createSurface({ resized, pointed }) {
   /** @type {Size} */
   let box = { width: 0, height: 0 };
   let zoom = 1;
+  let isLarge = false;
   /** @type {Parts} */
   let parts = new Map();
   /** @type {string | null} */
@@ -47,6 +51,8 @@ export function createSurface({ resized, pointed }) {
   const size = () => ({ width: box.width / zoom, height: box.height / zoom });
 
   function fit() {
+    const most = isLarge ? LARGE : 1;
+    zoom = painted && box.width > 0 ? Math.min(most, Math.min(box.width, box.height) / SAMPLES) : most;
     const { width, height } = size();
     attribute(overlay, "viewBox", `0 0 ${width} ${height}`);
   }
@@ -86,8 +92,7 @@ export function createSurface({ resized, pointed }) {
     },
     /** @param {boolean} large */
     enlarge(large) {
-      zoom = large ? LARGE : 1;
-      element.style.setProperty("--zoom", String(zoom));
+      isLarge = large;
       fit();
     },
     /** What the terms name now. @param {Parts} next */
