@@ -42,7 +42,7 @@ export function createCurvesView(app, host, figure) {
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   const canvas = h("canvas", { role: "img", width: 1, height: 1 });
   const status = h("p", { class: "lesson-status" });
-  surface.element.prepend(canvas, status);
+  surface.element.prepend(canvas);
   /** @type {CurvesDocument | null} */
   let document = null;
   /** @type {Match | null} */
@@ -263,6 +263,7 @@ export function createCurvesView(app, host, figure) {
   }
 
   return {
+    status,
     controls: figure.s !== null && figure.controls !== "none" ? controls : null,
     show(next) {
       playing = moving = false;

@@ -16,6 +16,7 @@
  * @property {(error: unknown) => void} failed why nothing is shown; null when something is
  *
  * @typedef {object} FigureView
+ * @property {HTMLElement} status what it comes to, in a line
  * @property {HTMLElement | null} controls
  * @property {(document: CurvesDocument) => void} show from its first state
  * @property {() => void} draw again: size or theme changed
@@ -87,7 +88,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
   caption.append(h("strong", {}, words.figureLabel(number)), " ", h("span", {}));
   /** @type {HTMLElement} */ (caption.lastElementChild).innerHTML = figure.caption;
   surface.element.append(message);
-  element.append(h("div", { class: "lesson-frame" }, surface.element, bar), note, caption);
+  element.append(h("div", { class: "lesson-frame" }, view.status, surface.element, bar), note, caption);
 
   async function show() {
     const turn = (asked += 1);
@@ -133,7 +134,10 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     const same = isMine && figure.changes.length === 0 && !changed;
     if (!same) {
       const shown = { ...document, view: { ...document.view, ...(s === null ? {} : { s }) } };
-      if (!(await openDocument(app, shown, document.title))) return;
+      if (!(await openDocument(app, shown, document.title))) {
+        host.failed(new Error(app.ui.value.note?.text));
+        return;
+      }
     }
     if (at !== null) (await import("../steps/steps.js")).startAt(app.store.document, at);
     app.ui.set({ mode: at === null ? "figure" : "steps" });

@@ -48,7 +48,7 @@ export function createQuestion(app, question, { answer, answered }) {
     reason.innerHTML = question.answer;
     told.replaceChildren(h("p", {}, h("strong", {}, verdict), " ", ...(given.text && !given.right ? [`${given.text} `] : []), reason));
     told.hidden = false;
-    reveal.hidden = true;
+    for (const button of element.querySelectorAll(".lesson-reveal")) button.remove();
     element.dataset.verdict = given.right === null ? "told" : given.right ? "right" : "wrong";
     choices.forEach((button, k) => {
       const right = question.choices[k]?.right ?? false;
@@ -61,6 +61,7 @@ export function createQuestion(app, question, { answer, answered }) {
     });
     if (quiet) return;
     answered(given);
+    told.scrollIntoView({ block: "nearest" });
     app.say(`${verdict} ${given.text && !given.right ? given.text : ""} ${plain(reason)}`);
   }
 

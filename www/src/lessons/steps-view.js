@@ -49,7 +49,7 @@ export function createStepsView(app, host, figure) {
     hidden: true,
     "aria-label": stepWords.keyboard,
   });
-  surface.element.prepend(/** @type {any} */ (picture.element), vertices, reading);
+  surface.element.prepend(/** @type {any} */ (picture.element), vertices);
   /** @type {CurvesDocument | null} */
   let document = null;
   /** @type {Steps | null} */
@@ -320,6 +320,7 @@ export function createStepsView(app, host, figure) {
   });
 
   return {
+    status: reading,
     controls: figure.controls === "none" ? null : transport.element,
     show(next) {
       playing = false;
