@@ -8,11 +8,13 @@ import axe from "axe-core";
  * painted on a canvas. It is evaluated in the page rather than added as a script, which a strict policy of the page would block.
  *
  * @param {Page} page
+ * @param {string} [within] a selector: the part of the page that is looked at
  * @returns {Promise<string[]>} empty for a clean page
  */
-export async function audit(page) {
-  await page.evaluate(axe.source);
-  const { violations } = await page.evaluate(() => /** @type {any} */ (globalThis).axe.run());
+export async function audit(page, within) {
+  const isThere = await page.evaluate(() => "axe" in globalThis);
+  if (!isThere) await page.evaluate(axe.source);
+  const { violations } = await page.evaluate((place) => /** @type {any} */ (globalThis).axe.run(place ?? document), within);
   return /** @type {import("axe-core").Result[]} */ (violations).flatMap(({ id, help, nodes }) =>
     nodes.map((node) => `${id} (${help}): ${node.target.join(" ")}: ${node.failureSummary ?? ""}`),
   );

@@ -23,7 +23,7 @@ const answers = new Map();
 export function createPage(app, lesson, number, { mine, setMine, large }) {
   const step = lesson.steps[number - 1];
   if (!step) throw new RangeError(`the lesson ${lesson.name} has no step ${number}`);
-  const heading = h("h2", { tabIndex: -1 }, step.title);
+  const heading = h("h1", { tabIndex: -1 }, step.title);
   const element = h(
     "article",
     { class: "lesson" },

@@ -46,7 +46,7 @@ export function createQuestion(app, question, { answer, answered }) {
     const verdict = given.right === null ? words.answer : given.right ? words.right : words.wrong;
     const reason = h("span", {});
     reason.innerHTML = question.answer;
-    told.replaceChildren(h("p", {}, h("strong", {}, verdict), " ", ...(given.text && !given.right ? [`${given.text} `] : []), reason));
+    told.replaceChildren(h("p", {}, h("strong", {}, verdict), " ", ...(given.text ? [`${given.text} `] : []), reason));
     told.hidden = false;
     for (const button of element.querySelectorAll(".lesson-reveal")) button.remove();
     element.dataset.verdict = given.right === null ? "told" : given.right ? "right" : "wrong";
@@ -62,7 +62,7 @@ export function createQuestion(app, question, { answer, answered }) {
     if (quiet) return;
     answered(given);
     told.scrollIntoView({ block: "nearest" });
-    app.say(`${verdict} ${given.text && !given.right ? given.text : ""} ${plain(reason)}`);
+    app.say([verdict, given.text, plain(reason)].filter(Boolean).join(" "));
   }
 
   if (answer) take(answer, true);

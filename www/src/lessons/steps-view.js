@@ -24,6 +24,7 @@ import { createTransport } from "../steps/transport.js";
 import { words as stepWords } from "../steps/words.js";
 import { toScreen } from "../view.js";
 import { momentOf } from "./document.js";
+import { words } from "./words.js";
 
 /** Milliseconds of a step at the speed 1. */
 const BEAT = 500;
@@ -276,8 +277,7 @@ export function createStepsView(app, host, figure) {
       prediction = answered(prediction, steps, step, found, guess);
       hovered = null;
       const { kind } = /** @type {NonNullable<Prediction["told"]>} */ (prediction.told);
-      const [mine, q] = [vertexName(1, guess), vertexName(1, line.to)];
-      ask?.(kind === "right", kind === "right" ? stepWords.right(q) : stepWords.wrong[kind](mine, q));
+      ask?.(kind === "right", kind === "right" ? "" : words.vertex[kind](vertexName(1, guess)));
       render();
     } catch (error) {
       host.failed(error);

@@ -57,6 +57,12 @@ export const words = {
   right: "Right.",
   wrong: "Not quite.",
   answer: "Answer.",
+  /** What is wrong with a vertex that was chosen, in whose place the answer names another. */
+  vertex: {
+    unseen: (/** @type {string} */ name) => `${name} is not visible from there.`,
+    breaks: (/** @type {string} */ name) => `The line to ${name} would cross one that is there.`,
+    lower: (/** @type {string} */ name) => `The line to ${name} is allowed, but another one has a larger f.`,
+  },
   yours: "your choice",
   rightChoice: "right",
   wrongChoice: "not right",
