@@ -172,6 +172,9 @@ function run(app) {
       },
     ),
     probe,
+    later(app, ({ probe }) => probe !== null, () =>
+      import("./stage/probe-card.js").then(({ createProbeCard }) => createProbeCard),
+    ),
     createWitness(app),
     later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
       import("./lines/lines.js").then(({ createLines }) => createLines),

@@ -12,7 +12,7 @@ import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
 import { openGallery } from "./gallery.js";
 import { mark } from "./mark.js";
-import { attachMenu } from "./menu.js";
+import { attachMenu } from "./menu-button.js";
 import { toggleTheme } from "./theme.js";
 
 /** @param {App} app */
