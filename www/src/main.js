@@ -38,7 +38,7 @@ import { find } from "./dom.js";
 import { keyWithin } from "./state/composition.js";
 import { Record } from "./state/record.js";
 import { only, within } from "./state/selection.js";
-import { keep, restore } from "./state/session.js";
+import { keep, restore, takeHash } from "./state/session.js";
 import { originOf, Store } from "./state/store.js";
 import { createKeeper } from "./storage/keeper.js";
 import { strings } from "./strings.js";
@@ -48,28 +48,58 @@ const root = document.documentElement;
 /** @returns {Promise<void>} */
 async function start() {
   const kernel = await connect({ module: "full" });
-  const { document: first, edited, ui, kept } = await firstDocument(kernel);
+  const former = await formerSession(kernel);
+  const arrival = isLesson() || !location.hash ? null : await (await sharing()).arrive(kernel, former);
+  const { document: first, edited, ui, kept } = former ?? arrival?.session ?? (await firstSession(kernel));
   const store = new Store(first);
   store.open(first, edited, originOf(kept ? origin(kept) : {}));
   const app = assemble(kernel, store, ui, kept);
   run(app);
+  arrival?.begin(app);
+  for (const type of ["popstate", "hashchange"]) {
+    addEventListener(type, () => {
+      app.ui.set({ workbench: workbenchOf() });
+      // The step of a lesson says nothing of the document, which stays the one of this entry of the history too.
+      if (isLesson()) return;
+      // Read at once, before the page writes what is open now.
+      const entry = restore();
+      void sharing().then(({ follow }) => follow(app, entry));
+    });
+  }
+}
+
+/** Whether the address leads to a lesson; it is then taken in. */
+function isLesson() {
+  if (workbenchOf() === "curves") return false;
+  takeHash();
+  return true;
+}
+
+/** Reads links; loaded when the address has one. */
+const sharing = () => import("./share/arrive.js");
+
+/**
+ * What this entry of the browser's history showed before, when it did: a reload goes on with it.
+ * @param {Kernel} kernel
+ * @returns {Promise<Session | null>}
+ */
+async function formerSession(kernel) {
+  const session = restore();
+  try {
+    if (session) await kernel.defaults(session.document);
+    return session;
+  } catch {
+    // Kept by another version of the page that wrote what this one does not read.
+    return null;
+  }
 }
 
 /**
- * The document of the last visit when there is one, else the first preset.
+ * The first preset.
  * @param {Kernel} kernel
  * @returns {Promise<Session>}
  */
-async function firstDocument(kernel) {
-  const session = restore();
-  if (session) {
-    try {
-      await kernel.defaults(session.document);
-      return session;
-    } catch {
-      // Kept by another version of the page that wrote what this one does not read.
-    }
-  }
+async function firstSession(kernel) {
   const { document, ui } = splitView(await completed(kernel, firstPreset));
   return { document, edited: false, ui, kept: null };
 }
@@ -85,6 +115,7 @@ function assemble(kernel, store, restored, kept) {
   /** @type {Record<Ui>} */
   const ui = new Record({
     mode: "figure",
+    step: 1,
     selection: only(1, 2),
     view: null,
     fitted: true,
@@ -196,7 +227,6 @@ function run(app) {
   listenToDrop(app);
   listenToPaste(app);
   followSystem(app);
-  addEventListener("hashchange", () => ui.set({ workbench: workbenchOf() }));
   keep(app);
 
   const progress = find("#progress");

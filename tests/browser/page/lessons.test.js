@@ -222,6 +222,20 @@ test("a figure opens in the editor as it stands, and the document that was open 
   assert.deepEqual((await documentOf(page)).sampling.counts, [16, 16]);
 });
 
+test("what was edited just before is there on the way back from a lesson", async (t) => {
+  const page = await openPage(t);
+  await field(page, "title").fill("Just now");
+  await page.keyboard.press("Enter");
+  await page.getByRole("link", { name: "Lessons" }).click();
+  await shows(page, first, 1);
+  await page.goBack();
+  await ready(page);
+  await eventually(async () => assert.equal(await page.title(), "Just now · Directrix"));
+  await page.waitForTimeout(200);
+  assert.equal((await documentOf(page)).title, "Just now");
+  assert.ok(await page.locator("[data-action=undo]").isEnabled());
+});
+
 test("a figure shows the reader's own curves; keys, undo and paste do not reach the page behind", async (t) => {
   const page = await openPage(t);
   const before = await documentOf(page);

@@ -1,13 +1,14 @@
 /**
- * The bar above: mark, workbench, title, undo, redo, gallery, file, export, theme; on a phone one menu for most of it.
+ * The bar above: mark, workbench, title, undo, redo, gallery, file, export, theme, share; on a phone one menu for most of it.
  *
  * @import { App } from "../state/app.js"
  */
-import { commandText, commandTitle } from "../commands.js";
+import { commandText, commandTitle, runCommand } from "../commands.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
 import { halfDisc, icon } from "../icons.js";
+import { keepNow } from "../state/session.js";
 import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
 import { openGallery } from "./gallery.js";
@@ -33,22 +34,30 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
-  const curves = h("a", { href: "#stage" }, words.curves);
-  const lessons = h("a", { href: "#lesson" }, words.lessons);
+  const curves = h("a", { href: "#stage", onclick: stay }, words.curves);
+  const lessons = h("a", { href: "#lesson", onclick: stay }, words.lessons);
   const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
   const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
   const theme = iconButton("theme", halfDisc(), words.toDark);
   const gallery = wordButton("gallery", words.gallery);
   const file = wordButton("file", words.file);
   const exporting = wordButton("export", words.export);
+  const share = h(
+    "button",
+    { type: "button", class: "outlined share", "data-action": "share", "aria-label": commandText(app, "share") },
+    icon("link"),
+    h("span", {}, commandText(app, "share")),
+  );
   const menu = iconButton("menu", icon("menu"), words.menu);
   const panel = iconButton("panel", icon("panel"), words.panel);
 
   undo.title = commandTitle(app, "undo");
   redo.title = commandTitle(app, "redo");
+  share.title = commandTitle(app, "share");
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
+  share.addEventListener("click", () => runCommand(app, "share"));
   gallery.addEventListener("click", () => void openGallery(app));
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
@@ -91,6 +100,7 @@ export function createBar(app) {
       file,
       exporting,
       theme,
+      share,
       panel,
     ),
     chooser.element,
@@ -117,6 +127,12 @@ export function createBar(app) {
     },
   };
 }
+
+/** The workbench that is open is no place to go to, and none to come back from. @param {Event} event */
+const stay = (event) => {
+  if (event.target instanceof Element && event.target.hasAttribute("aria-current")) event.preventDefault();
+  else keepNow();
+};
 
 /**
  * What has become of the work: saved to a file, edited since and kept in this browser, or kept nowhere.

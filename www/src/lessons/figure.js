@@ -139,8 +139,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
         return;
       }
     }
-    if (at !== null) (await import("../steps/steps.js")).startAt(app.store.document, at);
-    app.ui.set({ mode: at === null ? "figure" : "steps" });
+    app.ui.set(at === null ? { mode: "figure" } : { mode: "steps", step: at });
     location.hash = "#stage";
   }
 

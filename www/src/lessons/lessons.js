@@ -8,6 +8,7 @@ import "katex/dist/katex.css";
 import "../../styles/lessons.css";
 import { find, h, write } from "../dom.js";
 import { problem } from "../painter.js";
+import { takeHash } from "../state/session.js";
 import { heads, openLesson } from "./library.js";
 import { createList } from "./list.js";
 import { createPage } from "./page.js";
@@ -67,12 +68,18 @@ export function createLessons(app) {
     });
   }
 
+  /** Corrects the address. @param {string} hash */
+  function put(hash) {
+    history.replaceState(history.state, "", hash);
+    takeHash();
+  }
+
   /** Shows the step that the address names. */
   async function go() {
     const turn = (asked += 1);
     const wanted = readPlace(location.hash);
     if (wanted.lesson === null) {
-      history.replaceState(history.state, "", last);
+      put(last);
       return go();
     }
     const head = heads.find(({ name }) => name === wanted.lesson);
@@ -82,7 +89,7 @@ export function createLessons(app) {
       if (turn !== asked || !isOn) return;
       const step = Math.min(wanted.step, opened.steps.length);
       last = linkTo(head.name, step);
-      if (step !== wanted.step) history.replaceState(history.state, "", last);
+      if (step !== wanted.step) put(last);
       show(opened, step);
     } catch (error) {
       if (turn === asked) refuse(words.failed(problem(error).message));
