@@ -120,6 +120,19 @@ Text with $x$ and a [term](lines).
 = It is.
 `;
 
+test("the page on writing lessons has an example that is one, and all facts", async () => {
+  const page = await readFile(new URL("../../docs/lessons.md", import.meta.url), "utf8");
+  const example = /^```\n(# [^]*?)^```$/m.exec(page)?.[1] ?? "";
+  const { lesson, facts } = readLesson("example", example, documents);
+  const [step] = lesson.steps;
+  assert.ok(step);
+  const document = figureDocument(await documentNamed(step.figure.document), step.figure);
+  for (const { name, arguments: numbers, shown } of facts[0]?.facts ?? []) {
+    assert.ok(isTrue(shown, /** @type {any} */ (FACTS[name]).of({ dx, document, view: "figure" }, ...numbers)), `{${name}: ${shown}}`);
+  }
+  for (const [name, { arguments: count, meaning }] of Object.entries(FACTS)) assert.ok(page.includes(`| \`${name}\` | ${count} | ${meaning} |`), name);
+});
+
 test("the smallest lesson is read", () => {
   const { lesson } = readLesson("small", GOOD, documents);
   assert.equal(lesson.steps.length, 1);
