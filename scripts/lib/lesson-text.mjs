@@ -23,8 +23,8 @@ export const TERMS = {
   steps: ["first", "second", "accepted", "visible", "valid", "candidates", "winner", "redundant", "bare", "moved"],
 };
 
-/** Pieces of prose that are not plain words, each between marks of its own. */
-const PIECES = /\$([^$]+)\$|`([^`]+)`|\[([^\]]+)\]\(([^)\s]+)\)|\{([a-z-]+)((?: -?[\d.]+)*): ([^}]+)\}|\*\*([^*]+)\*\*|\*([^*]+)\*/g;
+/** Pieces of prose that are not plain words, each between marks of its own; a formula keeps the signs that follow it. */
+const PIECES = /\$([^$]+)\$([,.;:)?]*)|`([^`]+)`|\[([^\]]+)\]\(([^)\s]+)\)|\{([a-z-]+)((?: -?[\d.]+)*): ([^}]+)\}|\*\*([^*]+)\*\*|\*([^*]+)\*/g;
 
 /** @param {string} text */
 export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
@@ -60,8 +60,8 @@ export function prose(text, view, refuse) {
     for (const found of part.matchAll(PIECES)) {
       html += words(part.slice(end, found.index), refuse);
       end = found.index + found[0].length;
-      const [, tex, code, link, target = "", fact, given = "", shown = "", strong, emphasis] = found;
-      if (tex !== undefined) html += mathematics(tex, false, refuse);
+      const [, tex, punctuation = "", code, link, target = "", fact, given = "", shown = "", strong, emphasis] = found;
+      if (tex !== undefined) html += `<span class="lesson-glued">${mathematics(tex, false, refuse)}${punctuation}</span>`;
       else if (code !== undefined) html += `<code>${escaped(code)}</code>`;
       else if (link !== undefined) html += linked(inline(link), target, view, terms, refuse);
       else if (fact !== undefined) {
