@@ -49,7 +49,7 @@ const root = document.documentElement;
 async function start() {
   const kernel = await connect({ module: "full" });
   const former = await formerSession(kernel);
-  const arrival = isLesson() || !location.hash ? null : await (await sharing()).arrive(kernel, former);
+  const arrival = location.hash ? await sharing().then(({ arrive }) => arrive(kernel, former)).catch(takeHash) : null;
   const { document: first, edited, ui, kept } = former ?? arrival?.session ?? (await firstSession(kernel));
   const store = new Store(first);
   store.open(first, edited, originOf(kept ? origin(kept) : {}));
@@ -59,23 +59,14 @@ async function start() {
   for (const type of ["popstate", "hashchange"]) {
     addEventListener(type, () => {
       app.ui.set({ workbench: workbenchOf() });
-      // The step of a lesson says nothing of the document, which stays the one of this entry of the history too.
-      if (isLesson()) return;
       // Read at once, before the page writes what is open now.
       const entry = restore();
-      void sharing().then(({ follow }) => follow(app, entry));
+      void sharing().then(({ follow }) => follow(app, entry)).catch(takeHash);
     });
   }
 }
 
-/** Whether the address leads to a lesson; it is then taken in. */
-function isLesson() {
-  if (workbenchOf() === "curves") return false;
-  takeHash();
-  return true;
-}
-
-/** Reads links; loaded when the address has one. */
+/** Reads links; loaded when the address has one. Without it the page works as if there were none. */
 const sharing = () => import("./share/arrive.js");
 
 /**
@@ -151,8 +142,8 @@ function assemble(kernel, store, restored, kept) {
 }
 
 /** What a reload keeps of where the document lives. @param {NonNullable<Session["kept"]>} kept */
-function origin({ id, stamp, file, modified }) {
-  return { id, stamp, file, modified };
+function origin({ name, id, stamp, file, modified }) {
+  return { name, id, stamp, file, modified };
 }
 
 /** Names the regions of the page. */

@@ -8,7 +8,6 @@ import { textField } from "../controls/text-field.js";
 import { attribute, find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
 import { halfDisc, icon } from "../icons.js";
-import { keepNow } from "../state/session.js";
 import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
 import { openGallery } from "./gallery.js";
@@ -34,8 +33,8 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
-  const curves = h("a", { href: "#stage", onclick: stay }, words.curves);
-  const lessons = h("a", { href: "#lesson", onclick: stay }, words.lessons);
+  const curves = h("a", { href: "#stage" }, words.curves);
+  const lessons = h("a", { href: "#lesson" }, words.lessons);
   const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
   const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
   const theme = iconButton("theme", halfDisc(), words.toDark);
@@ -127,12 +126,6 @@ export function createBar(app) {
     },
   };
 }
-
-/** The workbench that is open is no place to go to, and none to come back from. @param {Event} event */
-const stay = (event) => {
-  if (event.target instanceof Element && event.target.hasAttribute("aria-current")) event.preventDefault();
-  else keepNow();
-};
 
 /**
  * What has become of the work: saved to a file, edited since and kept in this browser, or kept nowhere.

@@ -10,6 +10,8 @@ import { takeHash } from "../state/session.js";
 
 /** The document that the address leads to. @type {CurvesDocument | null} */
 let linked = null;
+/** The hash that leads to it. */
+let linkedHash = "";
 let watching = false;
 
 /**
@@ -30,12 +32,13 @@ export function linkAddress(app, hash = location.hash) {
   if (hash !== location.hash) put(hash);
   else takeHash();
   linked = app.store.document;
+  linkedHash = location.hash;
   if (watching) return;
   watching = true;
   app.store.subscribe(() => {
     if (linked === null || app.store.document === linked) return;
     linked = null;
-    put(withoutDocument());
+    if (location.hash === linkedHash) put(withoutDocument());
   });
 }
 

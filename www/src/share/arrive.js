@@ -103,10 +103,11 @@ export async function follow(app, entry) {
   }
 }
 
-/** The link in the address; null where the hash only names a place of the page, or nothing. @returns {Link | null} */
+/** The link in the address; null where the hash names a lesson or a place of the page, or nothing. @returns {Link | null} */
 function read() {
   const { hash } = location;
-  return hash.length < 2 || document.getElementById(hash.slice(1)) ? null : readLink(hash);
+  const isElsewhere = hash.length < 2 || /^#lesson\b/.test(hash) || document.getElementById(hash.slice(1)) !== null;
+  return isElsewhere ? null : readLink(hash);
 }
 
 /** The link in the address of an entry that shows its document anyway. */
@@ -175,21 +176,22 @@ function ask(app, link) {
 }
 
 /**
- * Back to a document that was left for another, or forward again: as the storage has it, else as the entry has it.
+ * Back to a document that was left for another, or forward again: as the storage has it, else as the entry has it. An older state of
+ * the document that is open is none to go back to; undo is.
  * @param {App} app
  * @param {Session} entry
  */
 async function goTo(app, { document, edited, ui, kept }) {
-  const { store } = app;
-  const same = kept?.id ? kept.id === store.origin.id : JSON.stringify(document) === JSON.stringify(store.document);
-  const { mode = "figure", step = 1 } = ui;
-  if (!same && !(kept?.id && (await reopened(app, kept.id)))) {
-    const { id = null, stamp = null, file = null, modified = null } = kept ?? {};
-    store.open(document, edited, originOf({ id, stamp, file, modified }));
+  const { origin } = app.store;
+  const { name = "", id = null, stamp = null, file = null, modified = null } = kept ?? {};
+  if (name === origin.name || (id !== null && id === origin.id)) return;
+  if (id === null || !(await reopened(app, id))) {
+    app.store.open(document, edited, originOf({ ...(name ? { name } : {}), id, stamp, file, modified }));
     app.ui.set({ ...ui, playing: false });
   }
+  const { mode = "figure", step = 1 } = ui;
   app.ui.set({ mode, step });
-  if (!same && location.hash) linkAddress(app);
+  if (location.hash) linkAddress(app);
 }
 
 /** @param {App} app @param {string} id */

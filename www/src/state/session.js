@@ -31,9 +31,6 @@ export function restore() {
   return document && ui ? { document, edited: edited === true, ui, kept: kept ?? null } : null;
 }
 
-/** Keeps the work in this entry of the history, before another one is gone to. */
-export let keepNow = () => {};
-
 /** @param {App} app */
 export function keep(app) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -57,7 +54,6 @@ export function keep(app) {
       // A document past the browser's own limit is not kept across a reload; the page goes on.
     }
   };
-  keepNow = write;
   const later = () => {
     clearTimeout(timer);
     timer = setTimeout(write, PAUSE);
