@@ -203,7 +203,16 @@ function run(app) {
     ),
     later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
     later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
-    later(app, ({ workbench }) => workbench === "lessons", () => import("./lessons/lessons.js").then(({ createLessons }) => createLessons)),
+    later(
+      app,
+      ({ workbench }) => workbench === "lessons",
+      () => import("./lessons/lessons.js").then(({ createLessons }) => createLessons),
+      (error) => {
+        location.hash = "#stage";
+        delete root.dataset.workbench;
+        ui.set({ workbench: "curves", note: { tone: "error", text: problem(error).message } });
+      },
+    ),
     createLegend(app),
     createZoom(app),
     morph,

@@ -7,7 +7,7 @@ import { documentNamed, documentNames, lessonFolder } from "../../../scripts/lib
 import { readLesson } from "../../../scripts/lib/lesson.mjs";
 import { figureDocument, momentOf } from "../../../www/src/lessons/document.js";
 import { audit } from "../support/axe.js";
-import { openPage } from "./open.js";
+import { openPage, openRaw } from "./open.js";
 import { documentOf, drag, eventually, field, handle, middle, ready, spoken, uiOf } from "./workbench.js";
 
 /** @import { Page } from "playwright-core" */
@@ -78,6 +78,32 @@ test("a link to what there is not says so, and a step past the end is the last",
   await shows(page, greedy, 1);
   await page.evaluate((name) => void (location.hash = `#lesson=${name}&step=99`), first.name);
   await shows(page, first, first.steps.length);
+});
+
+test("where lessons cannot be fetched the page says so and goes on with the curves", async (t) => {
+  const page = await openRaw(t, {});
+  await ready(page);
+  const work = await documentOf(page);
+  await page.route(/\/lessons-[^/]*\.js$/, (route) => route.abort());
+  const link = page.getByRole("link", { name: "Lessons" });
+  await link.click();
+  await eventually(async () => assert.match(await page.locator("#status").innerText(), /fetch/));
+  assert.equal(new URL(page.url()).hash, "#stage");
+  assert.ok(await page.locator("#inspector").isVisible());
+  assert.deepEqual(await documentOf(page), work);
+});
+
+test("print shows the step alone", async (t) => {
+  const page = await openPage(t);
+  await goTo(page, first, 2);
+  await page.emulateMedia({ media: "print" });
+  for (const selector of ["#bar", ".lesson-list", ".lesson-foot", ".lesson-controls", "#status"]) {
+    assert.ok(await page.locator(selector).isHidden(), selector);
+  }
+  for (const selector of [".lesson h1", ".lesson-picture canvas", ".lesson figcaption", ".lesson-question"]) {
+    assert.ok(await page.locator(selector).isVisible(), selector);
+  }
+  assert.ok(await page.locator(".lesson-scroll").evaluate((element) => element.scrollHeight <= element.clientHeight + 1), "nothing is cut off");
 });
 
 test("arrow keys and a clicker go from step to step and from lesson to lesson; P presents, Escape ends it", async (t) => {
@@ -198,8 +224,10 @@ test("a figure opens in the editor as it stands, and the document that was open 
   const page = await openPage(t);
   await field(page, "title").fill("Mine");
   await page.keyboard.press("Enter");
+  await page.locator("[data-action=gallery]").click();
   await page.getByRole("link", { name: "Lessons" }).click();
   await goTo(page, first, 4);
+  assert.equal(await page.locator("[data-panel]").count(), 0, "no panel lies over the lessons");
   await page.locator("[data-slider=lesson-s]").fill("0.75");
   await control(page, "open").click();
   await ready(page);
@@ -213,8 +241,10 @@ test("a figure opens in the editor as it stands, and the document that was open 
   await page.locator("[data-item=recent]").click();
   await eventually(async () => assert.match(await page.locator("[data-panel]").innerText(), /Mine/));
   await page.keyboard.press("Escape");
+  await page.goBack();
+  await shows(page, first, 4);
+  await eventually(async () => assert.equal((await documentOf(page)).title, "Mine", "the way back leads to the document of the person"));
 
-  await page.getByRole("link", { name: "Lessons" }).click();
   await goTo(page, greedy, 4);
   await page.locator("[data-steps=forward]").click();
   await control(page, "open").click();

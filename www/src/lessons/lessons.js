@@ -177,6 +177,8 @@ export function createLessons(app) {
   /** @param {boolean} on */
   function turnOn(on) {
     isOn = on;
+    // A panel may lie over the whole page.
+    if (on) /** @type {HTMLElement | null} */ (document.querySelector("[data-panel] [data-close]"))?.click();
     element.hidden = !on;
     for (const selector of BEHIND) find(selector).inert = on;
     if (on) {
