@@ -30,13 +30,14 @@ const PIECES = /\$([^$]+)\$([,.;:)?]*)|`([^`]+)`|\[([^\]]+)\]\(([^)\s]+)\)|\{([a
 export const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
 /**
- * @param {string} tex
+ * @param {string} tex trusted: the attribute style is put by the name `data-style`, which the page turns back
  * @param {boolean} displayMode on a line of its own
  * @param {Refuse} refuse
  */
 export function mathematics(tex, displayMode, refuse) {
   try {
-    return katex.renderToString(tex, { displayMode, throwOnError: true, strict: "error", output: "htmlAndMathml" });
+    const html = katex.renderToString(tex, { displayMode, throwOnError: true, strict: "error", output: "htmlAndMathml" });
+    return html.replaceAll(' style="', ' data-style="');
   } catch (error) {
     return refuse(`the formula ${tex.trim()} cannot be set: ${error instanceof Error ? error.message : error}`);
   }

@@ -93,6 +93,19 @@ test("where lessons cannot be fetched the page says so and goes on with the curv
   assert.deepEqual(await documentOf(page), work);
 });
 
+test("formulas are set under a policy that allows no styles in texts", async (t) => {
+  const policy = "default-src 'self'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'self'";
+  const page = await openRaw(t, { headers: { "Content-Security-Policy": policy } });
+  /** @type {string[]} */
+  const complaints = [];
+  page.on("console", (message) => complaints.push(message.text()));
+  await ready(page);
+  await goTo(page, /** @type {Lesson} */ (lessons[1]), 5);
+  const struts = await page.locator(".katex-strut").evaluateAll((all) => all.map((strut) => strut.getBoundingClientRect().height));
+  assert.ok(struts.length > 5 && struts.every((height) => height > 4), struts.join());
+  assert.deepEqual(complaints.filter((text) => /style/i.test(text)), []);
+});
+
 test("print shows the step alone", async (t) => {
   const page = await openPage(t);
   await goTo(page, first, 2);

@@ -32,6 +32,7 @@ import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
 import { createCurvesView } from "./curves-view.js";
 import { figureDocument } from "./document.js";
+import { fill } from "./html.js";
 import { createStepsView } from "./steps-view.js";
 import { createSurface } from "./surface.js";
 import { words } from "./words.js";
@@ -84,9 +85,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     button("open", words.open, "", () => void open()),
   );
   const bar = h("div", { class: "lesson-controls", role: "group", "aria-label": words.controls }, ...(view.controls ? [view.controls] : []), acts);
-  const caption = h("figcaption", {});
-  caption.append(h("strong", {}, words.figureLabel(number)), " ", h("span", {}));
-  /** @type {HTMLElement} */ (caption.lastElementChild).innerHTML = figure.caption;
+  const caption = h("figcaption", {}, h("strong", {}, words.figureLabel(number)), " ", fill(h("span", {}), figure.caption));
   surface.element.append(message);
   element.append(h("div", { class: "lesson-frame" }, view.status, surface.element, bar), note, caption);
 

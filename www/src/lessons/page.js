@@ -7,6 +7,7 @@
  */
 import { h } from "../dom.js";
 import { createFigure } from "./figure.js";
+import { fill } from "./html.js";
 import { createQuestion } from "./question.js";
 import { linkTerms, termsIn } from "./terms.js";
 import { words } from "./words.js";
@@ -46,13 +47,10 @@ export function createPage(app, lesson, number, { mine, setMine, large }) {
       questions.push(question);
       return question.element;
     }
-    const part = h("div", { class: block.kind === "formula" ? "lesson-formula" : "lesson-text" });
-    part.innerHTML = block.html;
-    return part;
+    return fill(h("div", { class: block.kind === "formula" ? "lesson-formula" : "lesson-text" }), block.html);
   });
   for (const part of parts) if (part) element.append(part);
-  const caption = h("div", {});
-  caption.innerHTML = step.figure.caption;
+  const caption = fill(h("div", {}), step.figure.caption);
   const linked = linkTerms(element, () => figure);
   const figure = createFigure(app, {
     lesson,

@@ -12,6 +12,7 @@
  */
 import { h } from "../dom.js";
 import { icon } from "../icons.js";
+import { fill } from "./html.js";
 import { words } from "./words.js";
 
 /**
@@ -22,12 +23,11 @@ import { words } from "./words.js";
  * @param {(answer: Answer) => void} options.answered
  */
 export function createQuestion(app, question, { answer, answered }) {
-  const text = h("p", { class: "lesson-ask" });
-  text.innerHTML = question.text;
+  const text = fill(h("p", { class: "lesson-ask" }), question.text);
   const told = h("div", { class: "lesson-told", hidden: true });
   const choices = question.choices.map((choice, k) => {
     const button = h("button", { type: "button", class: "lesson-choice", "data-choice": String(k), onclick: () => take({ choice: k, right: choice.right, text: "" }) });
-    button.innerHTML = `<span>${choice.text}</span>`;
+    button.append(fill(h("span", {}), choice.text));
     return button;
   });
   const reveal = h("button", { type: "button", class: "bare word lesson-reveal", "data-lesson": "reveal", onclick: () => take({ choice: null, right: null, text: "" }) }, words.reveal);
@@ -44,8 +44,7 @@ export function createQuestion(app, question, { answer, answered }) {
   function take(given, quiet = false) {
     if (!told.hidden) return;
     const verdict = given.right === null ? words.answer : given.right ? words.right : words.wrong;
-    const reason = h("span", {});
-    reason.innerHTML = question.answer;
+    const reason = fill(h("span", {}), question.answer);
     told.replaceChildren(h("p", {}, h("strong", {}, verdict), " ", ...(given.text ? [`${given.text} `] : []), reason));
     told.hidden = false;
     for (const button of element.querySelectorAll(".lesson-reveal")) button.remove();
