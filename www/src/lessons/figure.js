@@ -30,6 +30,7 @@ import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
+import { keepNow } from "../state/session.js";
 import { createCurvesView } from "./curves-view.js";
 import { figureDocument } from "./document.js";
 import { fill } from "./html.js";
@@ -132,6 +133,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     const { document, s, step: at } = state;
     const same = isMine && figure.changes.length === 0 && !changed;
     if (!same) {
+      keepNow();
       const shown = { ...document, view: { ...document.view, ...(s === null ? {} : { s }) } };
       if (!(await openDocument(app, shown, document.title))) {
         host.failed(new Error(app.ui.value.note?.text));
