@@ -1,19 +1,19 @@
 /** The page, built by Vite into `dist`. */
 import { join } from "node:path";
 import { modulesReady } from "./modules.mjs";
+import { writeOffline } from "./offline.mjs";
 import { dist, root } from "./paths.mjs";
 import { run } from "./run.mjs";
 import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
 import { thumbnails } from "./thumbnails.mjs";
 
-/** What turns the texts of lessons into what the page shows. */
-const lessonReaders = ["lesson", "lesson-text", "lesson-plugin"].map((name) => `scripts/lib/${name}.mjs`);
-
 /** @type {import("./stamp.mjs").Made} */
 const made = {
-  from: ["www", "js", "vite.config.js", ...lessonReaders, "package.json", "package-lock.json"].map((path) => join(root, path)),
+  from: ["www", "js", "vite.config.js", "package.json", "package-lock.json", "CHANGELOG.md", "scripts/lib/offline.mjs"].map((path) => join(root, path)),
   to: [dist],
 };
+// What turns the texts of lessons into what the page shows.
+made.from.push(...["lesson", "lesson-facts", "lesson-plugin", "lesson-text"].map((name) => join(root, `scripts/lib/${name}.mjs`)));
 
 /** Vite's command line, run with Node. */
 export const vite = join(root, "node_modules/vite/bin/vite.js");
@@ -27,6 +27,7 @@ const page = {
     const before = await inputs(made);
     await unmark("page");
     await run(process.execPath, [vite, "build", "--logLevel", "warn"], { log });
+    await writeOffline(dist);
     await mark("page", made, before);
   },
 };
