@@ -8,7 +8,7 @@ import { readLesson } from "../../../scripts/lib/lesson.mjs";
 import { figureDocument, momentOf } from "../../../www/src/lessons/document.js";
 import { audit } from "../support/axe.js";
 import { openPage, openRaw } from "./open.js";
-import { documentOf, drag, eventually, field, handle, middle, ready, spoken, uiOf } from "./workbench.js";
+import { documentOf, drag, drawn, eventually, field, handle, middle, ready, spoken, uiOf } from "./workbench.js";
 
 /** @import { Page } from "playwright-core" */
 /** @import { Lesson } from "../../../scripts/lib/lesson.mjs" */
@@ -313,7 +313,11 @@ test("a figure shows the reader's own curves; keys, undo and paste do not reach 
   assert.equal((await uiOf(page)).mode, "figure");
   await page.getByRole("link", { name: "Curves", exact: true }).click();
   const undo = page.locator("[data-action=undo]");
-  while (await undo.isEnabled()) await undo.click();
+  await drawn(page);
+  while (await undo.isEnabled()) {
+    await undo.click();
+    await drawn(page);
+  }
   await eventually(async () => assert.deepEqual((await documentOf(page)).curves, before.curves));
 });
 
