@@ -2,6 +2,7 @@ import { DirectrixError } from "./errors.js";
 import { FUNCTIONS } from "./functions.js";
 
 /** @typedef {(typeof FUNCTIONS)[number]} Name */
+/** @typedef {typeof Worker} WorkerClass */
 /**
  * @typedef {object} Pending
  * @property {Name} name
@@ -19,16 +20,40 @@ import { FUNCTIONS } from "./functions.js";
  * @returns {Promise<import("./directrix.js").Connection>}
  */
 export async function connect(options = {}) {
-  const client = new Client(options);
-  await client.opened;
+  const client = await opened(options);
   const functions = FUNCTIONS.map((name) => [name, (/** @type {any[]} */ ...args) => client.call(name, args)]);
   return {
     .../** @type {any} */ (Object.fromEntries(functions)),
     close: () => client.close(),
+    runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {
       client.onrestart = listener;
     },
   };
+}
+
+/**
+ * A client whose worker has started. A browser refuses a worker from another origin than the page's, but not one of the page's own that
+ * imports it; a policy of the page may refuse either.
+ *
+ * @param {import("./directrix.js").ConnectOptions} options
+ * @returns {Promise<Client>}
+ */
+async function opened(options) {
+  /** @param {WorkerClass} Worker @param {Client["runsIn"]} runsIn */
+  const open = async (Worker, runsIn) => {
+    const client = new Client(options, Worker, runsIn);
+    await client.opened;
+    return client;
+  };
+  try {
+    return await open(Worker, "worker");
+  } catch (error) {
+    // What went wrong inside a worker would go wrong in another as well.
+    if (error instanceof DirectrixError && error.code !== "no-worker") throw error;
+    const { BlobWorker } = await import("./blob-worker.js");
+    return open(BlobWorker, "blob worker");
+  }
 }
 
 /** The worker, the calls that wait for it, and its restart after a trap. */
@@ -42,10 +67,17 @@ class Client {
   #worker;
   #isClosed = false;
   #options;
+  #Worker;
 
-  /** @param {import("./directrix.js").ConnectOptions} options */
-  constructor(options) {
+  /**
+   * @param {import("./directrix.js").ConnectOptions} options
+   * @param {WorkerClass} Worker
+   * @param {"worker" | "blob worker"} runsIn
+   */
+  constructor(options, Worker, runsIn) {
     this.#options = options;
+    this.#Worker = Worker;
+    this.runsIn = runsIn;
     const { promise, resolve, reject } = withResolvers();
     /** @type {Promise<void>} */
     this.opened = promise;
@@ -87,16 +119,21 @@ class Client {
    * @param {(error: unknown) => void} failed
    */
   #start(ready, failed) {
+    // Bundlers know this form, and put the worker's address into it whatever the constructor is.
+    const Worker = this.#Worker;
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "directrix" });
+    let answers = false;
     const fail = (/** @type {unknown} */ error) => {
       failed(error);
       for (const id of [...this.#pending.keys()]) this.#settle(id)?.reject(error);
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      fail(new DirectrixError("failed", "", event.message || "the worker could not be started"));
+      if (!answers) worker.terminate();
+      fail(new DirectrixError(answers ? "failed" : "no-worker", "", event.message || "the worker could not be started"));
     };
     worker.onmessage = ({ data }) => {
+      answers = true;
       if (data.type === "ready") ready();
       else if (data.type === "failed") fail(revive(data.error));
       else this.#receive(data);

@@ -1,5 +1,5 @@
-/** Files of npm packages that the API carries as they are, so that it works in a page without a bundler. */
-import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
+/** Files from elsewhere that the API carries as they are, so that it works in a page without a bundler. */
+import { copyFile, cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { pkg, root } from "./paths.mjs";
 
@@ -13,8 +13,15 @@ const folder = join(root, "node_modules/fflate");
  */
 export const origins = new Map([[join(pkg, "fflate.js"), folder]]);
 
+/** Puts the presets where the element looks for them. */
+async function presets() {
+  const folder = join(root, "js/presets");
+  await rm(folder, { recursive: true, force: true });
+  await cp(join(root, "www/presets"), folder, { recursive: true });
+}
+
 /**
- * Puts the compression, its declarations and its licence beside the modules.
+ * Puts the presets, and the compression with its declarations and its licence, where the API has them.
  *
  * @type {import("./steps.mjs").Step}
  */
@@ -22,6 +29,7 @@ export const copies = {
   name: "copies",
   needs: ["packages"],
   async run() {
+    await presets();
     const { version, license } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
     const source = await readFile(join(folder, "esm/browser.js"), "utf8");
     const text = `/*! fflate ${version}, ${license}; its licence stands in fflate.LICENSE */\n${source}`;

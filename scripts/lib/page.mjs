@@ -1,4 +1,5 @@
-/** The page, built by Vite into `dist`. */
+/** The page, and what other pages embed, built by Vite into `dist`. */
+import { cp } from "node:fs/promises";
 import { join } from "node:path";
 import { modulesReady } from "./modules.mjs";
 import { writeOffline } from "./offline.mjs";
@@ -9,11 +10,13 @@ import { thumbnails } from "./thumbnails.mjs";
 
 /** @type {import("./stamp.mjs").Made} */
 const made = {
-  from: ["www", "js", "vite.config.js", "package.json", "package-lock.json", "CHANGELOG.md", "scripts/lib/offline.mjs"].map((path) => join(root, path)),
+  from: [
+    ...["www", "js", "vite.config.js", "vite.embed.config.js", "package.json", "package-lock.json"],
+    ...["CHANGELOG.md", "scripts/lib/offline.mjs"],
+    ...["lesson", "lesson-facts", "lesson-plugin", "lesson-text"].map((name) => `scripts/lib/${name}.mjs`),
+  ].map((path) => join(root, path)),
   to: [dist],
 };
-// What turns the texts of lessons into what the page shows.
-made.from.push(...["lesson", "lesson-facts", "lesson-plugin", "lesson-text"].map((name) => join(root, `scripts/lib/${name}.mjs`)));
 
 /** Vite's command line, run with Node. */
 export const vite = join(root, "node_modules/vite/bin/vite.js");
@@ -27,6 +30,9 @@ const page = {
     const before = await inputs(made);
     await unmark("page");
     await run(process.execPath, [vite, "build", "--logLevel", "warn"], { log });
+    await run(process.execPath, [vite, "build", "--config", "vite.embed.config.js", "--logLevel", "warn"], { log });
+    await cp(join(root, "www/presets"), join(dist, "presets"), { recursive: true });
+    // Last, as it lists every file.
     await writeOffline(dist);
     await mark("page", made, before);
   },

@@ -1,0 +1,515 @@
+/**
+ * The element `<directrix-figure>`: its attributes, its life on the page, and its parts. See docs/embedding.md.
+ *
+ * @import { CurvesDocument, DocumentInput, LayerName } from "../directrix.js"
+ */
+import { DirectrixError } from "../errors.js";
+import { attribute, write } from "./dom.js";
+import { createFrame } from "./frame.js";
+import { Growth } from "./growth.js";
+import { Handles } from "./handles.js";
+import { release, use, warm } from "./kernel.js";
+import { Morph } from "./morph.js";
+import { observe, observeSize } from "./observe.js";
+import { Paper } from "./paper.js";
+import { Scene } from "./scene.js";
+import { readSource } from "./source.js";
+import { sheetOf } from "./style.js";
+import { themeAround, watchTheme } from "./theme.js";
+import { words } from "./words.js";
+
+/** Milliseconds after which work is shown as running, and told as `progress`. */
+const SLOW = 200;
+/** Milliseconds after a change until the link has it as well. */
+const SETTLED = 300;
+/** The largest step that a link may name. */
+const LAST_STEP = 1_000_000;
+/** Text shown at most of a message. */
+const LONGEST = 400;
+
+/** The values of attributes that have a fixed choice, the default first. */
+const CHOICES = {
+  controls: ["full", "minimal", "none"],
+  theme: ["auto", "light", "dark"],
+  reveal: ["auto", "interaction"],
+  view: ["figure", "steps", "compare"],
+};
+
+/** A module with one instruction of SIMD. */
+const SIMD = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+/** A module may be imported where there is no page, as generators of sites do; an element is not made there. */
+const Base = globalThis.HTMLElement ?? /** @type {typeof HTMLElement} */ (/** @type {unknown} */ (class {}));
+
+export class DirectrixFigure extends Base {
+  static observedAttributes = ["preset", "src", "presets", "controls", "theme", "reveal", "alt", "poster", "editor", "view", "step"];
+  /** The folder of the presets, for figures without the attribute `presets`. @type {string | URL} */
+  static presets = "./presets/";
+  /** The editor, for figures without the attribute `editor`. @type {string | URL} */
+  static editor = "./index.html";
+
+  #frame;
+  #scene;
+  #handles;
+  #growth;
+  /** Place in the growth, 0 to 1, where it was moved; else that of the attribute. @type {number | null} */
+  #progress = null;
+  #morph;
+  #paper;
+  /** The document set by the property. @type {DocumentInput | null} */
+  #given = null;
+  #isStale = true;
+  #isNear = false;
+  #isSeen = false;
+  #isRevealed = false;
+  #owesFocus = false;
+  #state = "waiting";
+  /** @type {AbortController | null} */
+  #fetching = null;
+  /** Ends what the figure listens to while it is on a page. @type {(() => void)[]} */
+  #endings = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #linking;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #slow;
+  #isSlow = false;
+
+  constructor() {
+    super();
+    this.#frame = createFrame({
+      reveal: () => this.#reveal(),
+      layer: (name, isOn) => this.#setLayer(name, isOn),
+    });
+    const { canvas, picture, bar, poster, paper } = this.#frame;
+    this.#scene = new Scene({
+      canvas,
+      urgency: () => (this.#isSeen ? 0 : 1),
+      onsolved: (kind) => this.#solved(kind),
+      onpaint: () => this.#renderOverlay(),
+      onprogress: (progress) => this.#progressed(progress),
+      onproblem: (kind, error) => this.#failed(kind, error),
+    });
+    this.#handles = new Handles({
+      state: () => (this.#hasHandles && this.#scene.document ? { document: this.#scene.document, view: this.#scene.view, size: this.#scene.size } : null),
+      change: (document, isMoving) => this.#edit(document, isMoving),
+      say: (text) => this.#say(text),
+    });
+    this.#growth = new Growth();
+    this.#morph = new Morph({
+      s: () => (this.#isGrowth ? this.#place : this.#scene.s),
+      stages: () => (this.#isGrowth ? Math.max(1, this.#steps) : this.#scene.stages),
+      isGrowth: () => this.#isGrowth,
+      change: (s) => (this.#isGrowth ? this.#setPlace(s) : this.#setS(s)),
+      isSeen: () => this.#isShownNow,
+      say: (text) => this.#say(text),
+    });
+    this.#paper = new Paper(this.#scene, paper);
+    picture.append(this.#growth.element, this.#handles.element);
+    bar.prepend(...this.#morph.elements);
+    poster.addEventListener("error", () => (poster.hidden = true));
+    const root = this.attachShadow({ mode: "open" });
+    root.append(this.#frame.element);
+  }
+
+  /** The document with the edits and the place that the person has chosen; `null` before the first one stands. */
+  get document() {
+    return structuredClone(this.#scene.state);
+  }
+
+  set document(given) {
+    this.#given = given;
+    this.#reload();
+  }
+
+  /** Place of the current in-between curve, 0 to 1. */
+  get s() {
+    return this.#scene.s;
+  }
+
+  set s(s) {
+    if (typeof s !== "number" || !(s >= 0 && s <= 1)) throw new RangeError(`s: ${String(s)} was found; expected a number from 0 to 1`);
+    this.#morph.stop();
+    this.#setS(s);
+  }
+
+  /** What the matching is worth; `null` before the first one stands. */
+  get result() {
+    return this.#scene.result;
+  }
+
+  /** Where the figure is computed; `null` before that is known. */
+  get runsIn() {
+    return this.#scene.runsIn;
+  }
+
+  /** Plays from one curve to the other and back; with reduced motion nothing plays. */
+  play() {
+    this.#morph.play();
+  }
+
+  pause() {
+    this.#morph.stop();
+  }
+
+  connectedCallback() {
+    for (const name of ["document", "s"]) this.#upgrade(name);
+    const root = /** @type {ShadowRoot} */ (this.shadowRoot);
+    root.adoptedStyleSheets = [sheetOf(this.ownerDocument)];
+    use();
+    this.#observe();
+    this.#render();
+    this.#load();
+    this.#scene.refresh();
+  }
+
+  disconnectedCallback() {
+    for (const end of this.#endings.splice(0)) end();
+    if (this.#fetching) this.#isStale = true;
+    this.#abort();
+    if (this.#state === "loading") this.#state = "waiting";
+    this.#scene.cancel();
+    this.#handles.reset();
+    this.#morph.stop();
+    this.#paper.cancel();
+    clearTimeout(this.#linking);
+    clearTimeout(this.#slow);
+    [this.#isNear, this.#isSeen] = [false, false];
+    release();
+  }
+
+  /** @param {string} name @param {string | null} before @param {string | null} now */
+  attributeChangedCallback(name, before, now) {
+    if (before === now) return;
+    if (name === "preset" || name === "src" || name === "presets") {
+      this.#given = null;
+      this.#reload();
+    }
+    if (name === "step") this.#progress = null;
+    if (this.isConnected) this.#render();
+  }
+
+  /** Whether the figure shows the growth step by step. */
+  get #isGrowth() {
+    return this.#view === "steps";
+  }
+
+  /** A step without a view is one of the growth, as in a link. */
+  get #view() {
+    return this.hasAttribute("step") && !this.hasAttribute("view") ? "steps" : this.#choice("view");
+  }
+
+  /** The number of the steps. */
+  get #steps() {
+    return this.#scene.steps?.lines.length ?? 0;
+  }
+
+  /** The place in the growth, 0 to 1. */
+  get #place() {
+    if (this.#progress !== null) return this.#progress;
+    const step = Number(this.getAttribute("step") ?? 1);
+    return this.#steps === 0 ? 0 : Math.min(1, Math.max(0, Math.trunc(step) || 0) / this.#steps);
+  }
+
+  /** The step that the link leads to: the one shown, or one of the attribute that comes after the growth, as the editor has them. */
+  get #linkedStep() {
+    const given = Number(this.getAttribute("step") ?? 1);
+    const isLater = this.#progress === null && Number.isInteger(given) && given > this.#steps && given <= LAST_STEP;
+    return isLater ? given : Math.max(1, this.#step);
+  }
+
+  get #step() {
+    return Math.round(this.#place * this.#steps);
+  }
+
+  get #hasHandles() {
+    return this.#choice("controls") === "full";
+  }
+
+  /** Whether anybody can see it. */
+  get #isShownNow() {
+    return this.#isSeen && document.visibilityState === "visible";
+  }
+
+  /** @param {keyof typeof CHOICES} name */
+  #choice(name) {
+    const value = this.getAttribute(name) ?? "";
+    return CHOICES[name].includes(value) ? value : CHOICES[name][0];
+  }
+
+  /** A property that was set before the element was defined hides the accessor. @param {string} name */
+  #upgrade(name) {
+    if (!Object.hasOwn(this, name)) return;
+    const self = /** @type {any} */ (this);
+    const value = self[name];
+    delete self[name];
+    self[name] = value;
+  }
+
+  #observe() {
+    this.#endings.push(
+      ...observe(this, {
+        near: (isNear) => {
+          this.#isNear = isNear;
+          this.#load();
+        },
+        seen: (isSeen) => {
+          this.#isSeen = isSeen;
+          this.#morph.resume();
+        },
+        woken: () => this.#morph.resume(),
+      }),
+      observeSize(this.#frame.picture, (size) => {
+        this.#scene.resize(size);
+        this.#renderOverlay();
+      }),
+      watchTheme(() => this.#paint()),
+    );
+  }
+
+  /** Another document is wanted. */
+  #reload() {
+    this.#abort();
+    this.#isStale = true;
+    this.#load();
+  }
+
+  #abort() {
+    this.#fetching?.abort();
+    this.#fetching = null;
+  }
+
+  /** Loads what is wanted, once somebody is about to see it. */
+  #load() {
+    const isAsked = this.#isRevealed || this.#choice("reveal") === "auto";
+    const { src, preset } = this.#source;
+    const isWanted = this.#given !== null || src !== null || preset !== null;
+    if (!this.#isStale || !isWanted || !this.isConnected || !this.#isNear || !isAsked) return;
+    this.#isStale = false;
+    if (typeof WebAssembly !== "object" || !WebAssembly.validate(SIMD)) {
+      this.#failed("kernel", new DirectrixError("no-wasm", "", words.errors.noWasm));
+      return;
+    }
+    this.#become("loading");
+    const fetching = new AbortController();
+    this.#fetching = fetching;
+    this.#begin();
+    warm();
+    void this.#open(fetching.signal);
+  }
+
+  /** @param {AbortSignal} signal */
+  async #open(signal) {
+    try {
+      const given = this.#given ?? (await readSource(this.#source, signal));
+      if (signal.aborted) return;
+      this.#fetching = null;
+      this.#scene.open(given);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#fetching = null;
+      this.#failed("document", error);
+    }
+  }
+
+  get #source() {
+    const presets = this.getAttribute("presets") ?? DirectrixFigure.presets;
+    return { src: this.getAttribute("src"), preset: this.getAttribute("preset"), presets };
+  }
+
+  #reveal() {
+    this.#isRevealed = true;
+    this.#owesFocus = true;
+    this.#render();
+    this.#load();
+  }
+
+  /** The button that reveals a figure had the focus, and is gone: the next control gets it unless something else has. */
+  #handFocus() {
+    const { activeElement } = document;
+    if (this.#owesFocus && (!activeElement || activeElement === document.body)) {
+      this.#frame.bar.querySelector("button")?.focus({ preventScroll: true });
+    }
+    this.#owesFocus = false;
+  }
+
+  /** @param {CurvesDocument} document @param {boolean} isMoving */
+  #edit(document, isMoving) {
+    this.#scene.edit(document, isMoving);
+    this.#renderOverlay();
+    this.#begin();
+  }
+
+  /** @param {number} s */
+  #setS(s) {
+    if (s === this.#scene.s) return;
+    this.#scene.s = s;
+    this.#morph.render();
+    this.#tell("change", { reason: "s", s });
+    this.#linkLater();
+  }
+
+  /** @param {number} place in the growth */
+  #setPlace(place) {
+    const before = this.#step;
+    this.#progress = place;
+    this.#morph.render();
+    this.#renderOverlay();
+    if (this.#step === before) return;
+    this.#renderFrame();
+    this.#tell("change", { reason: "step", step: this.#step });
+    this.#linkLater();
+  }
+
+  /** @param {LayerName} name @param {boolean} isOn */
+  #setLayer(name, isOn) {
+    const others = this.#scene.shownLayers.filter((each) => each !== name);
+    this.#scene.layers = isOn ? [...others, name] : others;
+    this.#scene.refresh();
+    this.#tell("change", { reason: "layers" });
+    this.#linkLater();
+  }
+
+  /** @param {"load" | "edit"} kind */
+  #solved(kind) {
+    this.#finish();
+    this.#frame.problem.hidden = true;
+    if (kind === "load") {
+      this.#handles.reset();
+      this.#morph.stop();
+      this.#progress = null;
+    }
+    this.#become("shown");
+    this.#render();
+    this.#handFocus();
+    this.#linkLater();
+    this.#paper.renew();
+    if (kind === "load") this.#tell("load", { runsIn: this.runsIn });
+    else this.#tell("change", { reason: "document" });
+  }
+
+  /**
+   * @param {"document" | "edit" | "kernel"} kind
+   * @param {unknown} error
+   */
+  #failed(kind, error) {
+    this.#finish();
+    const code = error instanceof DirectrixError ? error.code : "failed";
+    const path = error instanceof DirectrixError ? error.path : "";
+    const message = error instanceof Error ? error.message : String(error);
+    const where = words.errors.at(path, message);
+    const text = code === "no-wasm" ? message : kind === "kernel" ? words.errors.blocked(where) : words.errors[kind](where);
+    this.#frame.problem.hidden = false;
+    write(this.#frame.problem, text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text);
+    this.#become(this.#scene.document ? "shown" : "failed");
+    this.#render();
+    this.dispatchEvent(new CustomEvent("error", { detail: { code, path, message } }));
+  }
+
+  /** @param {number} progress */
+  #progressed(progress) {
+    if (progress >= 1) this.#finish();
+    this.#frame.working.style.transform = `scaleX(${progress})`;
+    if (this.#isSlow) this.dispatchEvent(new CustomEvent("progress", { detail: { progress } }));
+  }
+
+  /** Work has begun that may take long. */
+  #begin() {
+    clearTimeout(this.#slow);
+    this.#slow = setTimeout(() => {
+      this.#isSlow = true;
+      this.#frame.working.classList.add("shown");
+      this.dispatchEvent(new CustomEvent("progress", { detail: { progress: 0 } }));
+    }, SLOW);
+  }
+
+  #finish() {
+    clearTimeout(this.#slow);
+    this.#isSlow = false;
+    this.#frame.working.classList.remove("shown");
+  }
+
+  /** @param {string} state */
+  #become(state) {
+    this.#state = state === "loading" && this.#scene.document ? "shown" : state;
+  }
+
+  /** @param {string} type @param {object} detail */
+  #tell(type, detail) {
+    const { document, s, result } = this;
+    this.dispatchEvent(new CustomEvent(type, { detail: { document, s, result, ...detail } }));
+  }
+
+  /** @param {string} text */
+  #say(text) {
+    this.#frame.say(text);
+  }
+
+  /** Brings the frame up to date, and the picture with it. */
+  #render() {
+    const isRevealed = this.#renderFrame();
+    this.#scene.hasHandles = this.#hasHandles;
+    this.#scene.growsSteps = this.#isGrowth;
+    this.#morph.render();
+    this.#paint();
+    this.#linkLater();
+    if (isRevealed) this.#load();
+  }
+
+  /** Everything but picture and controls. @returns {boolean} whether the figure may be seen */
+  #renderFrame() {
+    const isRevealed = this.#isRevealed || this.#choice("reveal") === "auto";
+    this.#frame.render({
+      state: this.#state,
+      controls: this.#choice("controls"),
+      title: this.getAttribute("alt") ?? this.#scene.document?.title ?? words.figure,
+      result: this.#scene.result,
+      poster: this.getAttribute("poster"),
+      isRevealed,
+      hasLink: this.getAttribute("editor") !== "none",
+      layers: this.#scene.shownLayers,
+      growth: this.#isGrowth && this.#scene.steps ? { step: this.#step, steps: this.#steps } : null,
+    });
+    return isRevealed;
+  }
+
+  /** Paints in the theme of the place. */
+  #paint() {
+    const chosen = this.#choice("theme");
+    const theme = chosen === "auto" ? themeAround(this, this.#frame.ground) : chosen === "dark" ? "dark" : "light";
+    attribute(this.#frame.inner, "data-theme", theme);
+    if (this.#scene.theme !== theme) {
+      this.#scene.theme = theme;
+      this.#scene.refresh();
+    }
+    this.#renderOverlay();
+  }
+
+  #renderOverlay() {
+    const { steps, view, size } = this.#scene;
+    this.#growth.render({ steps: this.#isGrowth ? steps : null, step: this.#step, view, size });
+    this.#handles.render();
+  }
+
+  /** The link leads to what is seen; it is written when that has come to rest. */
+  #linkLater() {
+    clearTimeout(this.#linking);
+    if (!this.isConnected) return;
+    this.#linking = setTimeout(() => void this.#link(), SETTLED);
+  }
+
+  async #link() {
+    const state = this.#scene.state;
+    if (!state) return;
+    const { writeLink } = await import("../link.js");
+    const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
+    const view = /** @type {"figure" | "steps" | "compare"} */ (this.#view);
+    editor.hash = writeLink({
+      document: state,
+      ...(view === "figure" ? {} : { view }),
+      ...(view === "steps" ? { step: this.#linkedStep } : {}),
+    });
+    attribute(this.#frame.open, "href", editor.href);
+  }
+}
