@@ -78,6 +78,7 @@ export function createCurvesView(app, host, figure) {
       const options = {
         ...devicePixels(size, Math.min(most, surface.zoom * (window.devicePixelRatio || 1))),
         theme: ui.value.theme,
+        patterns: ui.value.patterns,
         s,
         background: false,
         coarse: job.coarse,
