@@ -6,50 +6,72 @@ const LEAST_STEP: f64 = 1.0 / 128.0;
 
 /// Places `count` lines at equal steps of mu, the mean of the shares of arc length on both curves, along a correspondence.
 ///
-/// `places` are ends in shares of arc length on both curves once round, weakly ascending, not all the same. `improve` may
-/// move a line along its anti-diagonal: it gets the two ends and returns how much to add to the first and take
-/// from the second. The places returned ascend strictly on both curves, within one lap: where many lines of
-/// the correspondence share an end (a fan), their ends are drawn apart by the least squares of moves.
+/// `places` are ends in shares of arc length on both curves once round, or from end to end of open ones, weakly ascending, not all
+/// the same. `improve` may move a line along its anti-diagonal: it gets the two ends and returns how much to add to the first and
+/// take from the second. The places returned ascend strictly on both curves, within one lap: where many lines of
+/// the correspondence share an end (a fan), their ends are drawn apart by the least squares of moves. On open curves the first and
+/// the last line stay; there are no lines where these do not move on strictly.
 pub(super) fn spread_evenly(
     places: &[[f64; 2]],
+    closed: bool,
     count: usize,
     mut improve: impl FnMut([f64; 2]) -> f64,
 ) -> Vec<[f64; 2]> {
-    let plain = at_even_means(places, count);
+    if let (false, [first, .., last]) = (closed, places)
+        && !ascends(&[*first, *last], false)
+    {
+        return Vec::new();
+    }
+    let plain = at_even_means(places, closed, count);
+    let is_end = |k: usize| !closed && (k == 0 || k + 1 == count);
     let moved: Vec<[f64; 2]> = plain
         .iter()
-        .map(|&[x, y]| {
-            let by = improve([x, y]);
+        .enumerate()
+        .map(|(k, &[x, y])| {
+            let by = if is_end(k) { 0.0 } else { improve([x, y]) };
             [x + by, y - by]
         })
         .collect();
-    [strictly(&moved), strictly(&plain)].into_iter().find(|places| ascends(places)).unwrap_or_else(|| {
+    let strict = |places: &[[f64; 2]]| if closed { strictly_round(places) } else { strictly(places) };
+    let spread = [strict(&moved), strict(&plain)].into_iter().find(|places| ascends(places, closed));
+    spread.unwrap_or_else(|| {
         // Any correspondence becomes strict when it is mixed with the rigid one.
-        let offset = plain.iter().map(|[x, y]| x - y).sum::<f64>() / count as f64;
-        let mix = |&[x, y]: &[f64; 2]| {
-            let by = LEAST_STEP * (offset - (x - y)) / 2.0;
+        let offset = |[x, y]: [f64; 2]| x - y;
+        let (first, last) = (offset(plain[0]), offset(plain[count - 1]));
+        let mean = plain.iter().copied().map(offset).sum::<f64>() / count as f64;
+        let mix = |(k, &[x, y]): (usize, &[f64; 2])| {
+            let rigid = if closed { mean } else { first + (last - first) * k as f64 / (count - 1) as f64 };
+            let by = LEAST_STEP * (rigid - (x - y)) / 2.0;
             [x + by, y - by]
         };
-        plain.iter().map(mix).collect()
+        plain.iter().enumerate().map(mix).collect()
     })
 }
 
 /// Puts places that must be held among evenly spread ones: the nearest to each makes way, and so does every one that would be out
 /// of order, or with one end so near that it could not be told from the held one.
 ///
-/// Both lists ascend in cyclic order, within a lap: `places` strictly; those that are held may share an end, and then still do.
-pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
-    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(held.len());
+/// Both lists ascend in cyclic order, within a lap: `places` strictly; those that are held may share an end, and then still do. On open
+/// curves the first and the last of the places stay as well.
+pub fn hold_places(places: &mut Vec<[f64; 2]>, closed: bool, held: &[[f64; 2]]) {
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(held.len() + 2);
+    if let (false, [first, .., last]) = (closed, places.as_slice()) {
+        kept.extend([*first, *last]);
+    }
+    let translates: &[f64] = if closed { &[-1.0, 0.0, 1.0] } else { &[0.0] };
     let least = LEAST_STEP / (2 * places.len().max(1)) as f64;
     let laps = |by: f64| move |place: &[f64; 2]| place.map(|share| share + by);
     for pin in held {
         let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
         // The translate of the pin that lies among the places.
         let Some(first) = places.first().map(mean) else { return };
-        let pin = laps((first - mean(pin)).ceil())(pin);
+        let pin = if closed { laps((first - mean(pin)).ceil())(pin) } else { *pin };
+        if kept.contains(&pin) {
+            continue;
+        }
         let distance = |place: &[f64; 2]| {
             let gap = (mean(place) - mean(&pin)).abs();
-            gap.min(1.0 - gap)
+            if closed { gap.min(1.0 - gap) } else { gap }
         };
         let others = (0..places.len()).filter(|&k| !kept.contains(&places[k]));
         let nearest = others.min_by(|&i, &k| distance(&places[i]).total_cmp(&distance(&places[k])));
@@ -57,7 +79,7 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
             places.remove(nearest);
         }
         let fits = |place: &[f64; 2]| {
-            [-1.0, 0.0, 1.0].into_iter().all(|lap| {
+            translates.iter().all(|&lap| {
                 let [x, y] = laps(lap)(place);
                 let [before, after] = [[pin[0] - x, pin[1] - y], [x - pin[0], y - pin[1]]];
                 before.iter().all(|&step| step > least) || after.iter().all(|&step| step > least)
@@ -70,17 +92,33 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
     }
 }
 
-/// Whether places ascend strictly on both curves and keep within a lap.
-fn ascends(places: &[[f64; 2]]) -> bool {
-    let lap = places.first().map(|[x, y]| [x + 1.0, y + 1.0]);
+/// Whether places ascend strictly on both curves and, on closed ones, keep within a lap.
+fn ascends(places: &[[f64; 2]], closed: bool) -> bool {
+    let lap = places.first().filter(|_| closed).map(|[x, y]| [x + 1.0, y + 1.0]);
     let next = places.iter().copied().skip(1).chain(lap);
     places.iter().zip(next).all(|([x, y], [u, v])| *x < u && *y < v)
 }
 
-/// Points of the piecewise straight correspondence at equal steps of mu from its first place on.
-pub(super) fn at_even_means(places: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+/// Points of the piecewise straight correspondence at equal steps of mu from its first place on, of open curves to its last one.
+pub(super) fn at_even_means(places: &[[f64; 2]], closed: bool, count: usize) -> Vec<[f64; 2]> {
     let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
     let begin = mean(&places[0]);
+    if !closed {
+        let end = mean(&places[places.len() - 1]);
+        let mut k = 0;
+        let at = |line: usize| {
+            let wanted = begin + (end - begin) * line as f64 / (count - 1).max(1) as f64;
+            while k + 2 < places.len() && mean(&places[k + 1]) <= wanted {
+                k += 1;
+            }
+            let (from, to) = (places[k], places[(k + 1).min(places.len() - 1)]);
+            let step = mean(&to) - mean(&from);
+            let t = if step > 0.0 { ((wanted - mean(&from)) / step).clamp(0.0, 1.0) } else { 0.0 };
+            // The ends of the correspondence are met exactly.
+            [0, 1].map(|curve| if t < 1.0 { from[curve] + t * (to[curve] - from[curve]) } else { to[curve] })
+        };
+        return (0..count).map(at).collect();
+    }
     let mut k = 0;
     let place = |k: usize| {
         let laps = (k / places.len()) as f64;
@@ -99,8 +137,8 @@ pub(super) fn at_even_means(places: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> 
         .collect()
 }
 
-/// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly.
-fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// As [`strictly`], for lines round closed curves.
+fn strictly_round(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let n = places.len();
     let least = |k: usize| {
         let [x, y] = places[k];
@@ -112,16 +150,7 @@ fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let cut = (0..n).reduce(|best, k| if least(k) > least(best) { k } else { best }).map_or(0, |k| k + 1);
     let mut line: Vec<[f64; 2]> =
         (cut..cut + n).map(|k| places[k % n].map(|share| share + (k / n) as f64)).collect();
-    for curve in 0..2 {
-        let even: Vec<f64> = line.iter().map(|[x, y]| LEAST_STEP * (x + y) / 2.0).collect();
-        let mut rest: Vec<f64> = line.iter().zip(&even).map(|(place, even)| place[curve] - even).collect();
-        make_ascending(&mut rest);
-        for ((place, rest), even) in line.iter_mut().zip(rest).zip(even) {
-            let by = rest + even - place[curve];
-            place[curve] += by;
-            place[1 - curve] -= by;
-        }
-    }
+    make_strict(&mut line, |_| {});
     let lap = |place: [f64; 2], by: f64| place.map(|share| share - by);
     let whole = (cut / n) as f64;
     (0..n)
@@ -130,6 +159,37 @@ fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
             lap(line[at], whole + if k < cut % n { 1.0 } else { 0.0 })
         })
         .collect()
+}
+
+/// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly; the first and the
+/// last line stay.
+fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut line = places.to_vec();
+    make_strict(&mut line, |rest| {
+        if let [first, .., last] = *rest {
+            rest.iter_mut().for_each(|rest| *rest = rest.min(last).max(first));
+        }
+    });
+    if let ([first, .., last], [start, .., end]) = (line.as_mut_slice(), places) {
+        (*first, *last) = (*start, *end);
+    }
+    line
+}
+
+/// Moves lines along their anti-diagonals until the ends on either curve ascend strictly; `limit` may limit the ends on a curve, less
+/// the least steps that they have to move on by.
+fn make_strict(line: &mut [[f64; 2]], limit: impl Fn(&mut [f64])) {
+    for curve in 0..2 {
+        let even: Vec<f64> = line.iter().map(|[x, y]| LEAST_STEP * (x + y) / 2.0).collect();
+        let mut rest: Vec<f64> = line.iter().zip(&even).map(|(place, even)| place[curve] - even).collect();
+        limit(&mut rest);
+        make_ascending(&mut rest);
+        for ((place, rest), even) in line.iter_mut().zip(rest).zip(even) {
+            let by = rest + even - place[curve];
+            place[curve] += by;
+            place[1 - curve] -= by;
+        }
+    }
 }
 
 /// Replaces numbers by the closest weakly ascending ones in the sense of least squares: pools neighbours that descend.
@@ -162,7 +222,7 @@ mod tests {
     fn a_rigid_correspondence_is_cut_into_equal_steps() {
         let places: Vec<[f64; 2]> =
             (0..10).map(|k| [f64::from(k) / 10.0, f64::from(k) / 10.0 + 0.3]).collect();
-        let spread = spread_evenly(&places, 7, |_| 0.0);
+        let spread = spread_evenly(&places, true, 7, |_| 0.0);
         for (k, [x, y]) in spread.iter().enumerate() {
             assert!((x - k as f64 / 7.0).abs() < 1e-12 && (y - x - 0.3).abs() < 1e-12, "{k}: {x} {y}");
         }
@@ -201,9 +261,9 @@ mod tests {
             }
             for count in [1, 2, 3, 7, 44, 500] {
                 let noise = 0.3 / count as f64;
-                let spread = spread_evenly(&places, count, |_| numbers.between(-noise, noise));
+                let spread = spread_evenly(&places, true, count, |_| numbers.between(-noise, noise));
                 assert_eq!(spread.len(), count);
-                assert!(ascends(&spread), "case {case}, {count} lines: {places:?}");
+                assert!(ascends(&spread, true), "case {case}, {count} lines: {places:?}");
                 for pair in means(&spread).windows(2) {
                     assert!(
                         (pair[1] - pair[0] - 1.0 / count as f64).abs() < 1e-9,
@@ -234,8 +294,8 @@ mod tests {
             let wobble = numbers.between(-0.1, 0.1);
             let held = shares.map(|x| [x, x + 0.4 + wobble]);
             let mut found = places.clone();
-            hold_places(&mut found, &held);
-            assert!(ascends(&found), "case {case}: {found:?}");
+            hold_places(&mut found, true, &held);
+            assert!(ascends(&found, true), "case {case}: {found:?}");
             for pin in held {
                 let is_pin = |place: &[f64; 2]| {
                     let off = [place[0] - pin[0], place[1] - pin[1]];
@@ -253,16 +313,16 @@ mod tests {
             // One line leans on the vertex that the held one ends in, or lies a bit beside it.
             let share = f64::from_bits((0.5_f64.to_bits() as i64 + ulps) as u64);
             let mut places = vec![[0.1, 0.1], [share, 0.4], [0.52, 0.6], [0.8, 0.8]];
-            hold_places(&mut places, &[[0.5, 0.55]]);
+            hold_places(&mut places, true, &[[0.5, 0.55]]);
             assert_eq!(places, [[0.1, 0.1], [0.5, 0.55], [0.8, 0.8]]);
         }
         let mut places = vec![[0.1, 0.1], [0.3, 0.3], [0.6, 0.6], [0.8, 0.8]];
         let held = [[0.5, 0.5], [0.5 + 1e-6, 0.5 + 1e-6]];
-        hold_places(&mut places, &held);
+        hold_places(&mut places, true, &held);
         assert!(held.iter().all(|pin| places.contains(pin)), "held places may be as near as they like");
         for held in [[[0.5, 0.5], [0.5, 0.7]], [[0.5, 0.7], [0.5, 0.5]], [[0.4, 0.5], [0.7, 0.5]]] {
             let mut places = vec![[0.1, 0.1], [0.3, 0.3], [0.6, 0.6], [0.8, 0.8]];
-            hold_places(&mut places, &held);
+            hold_places(&mut places, true, &held);
             assert!(held.iter().all(|pin| places.contains(pin)), "{places:?}");
             assert!(places.windows(2).all(|w| w[0][0] <= w[1][0] && w[0][1] <= w[1][1]), "{places:?}");
         }

@@ -1,4 +1,4 @@
-//! Matching of two closed curves by ruling lines.
+//! Matching of two curves by ruling lines: closed ones, one inside the other, or open ones.
 //!
 //! After Samanta, Ozbolat and Koc, *Optimized normal and distance matching for heterogeneous object modeling* (Computers &
 //! Industrial Engineering, 2014), here called *the paper*. Both curves are sampled into polygons; a [`RulingLine`] joins a
@@ -49,10 +49,10 @@ pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Inserted, Insertion, OneToOne};
 pub use irredundant::irredundant;
 pub use mean::best_mean;
-pub use measure::{Bound, Totals, broken, measure};
+pub use measure::{Bound, Totals, broken, left_out, measure};
 pub use outline::Outline;
 pub use place::{Placing, places_of, places_of_pairs};
-pub use problem::{Layout, Problem, ProblemError};
+pub use problem::{Ends, Layout, Problem, ProblemError};
 pub use prune::{prune, prune_as_printed};
 pub use refine::{Refine, Refined, even_places};
 pub use rivals::{Fate, Rival, Standing, standings};

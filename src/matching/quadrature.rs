@@ -10,7 +10,7 @@ const PARTS: usize = 8;
 /// Ends of lines that are looked at all round a curve for a better partner; between many lines some are skipped at first.
 const CANDIDATES: usize = 128;
 
-/// The integral J of lines in cyclic order, and an upper bound of it, as a job that advances gap by gap.
+/// The integral J of lines in cyclic order, or along open curves from the first to the last, and an upper bound of it, as a job that advances gap by gap.
 ///
 /// Between neighbouring lines the correspondence is linear in arc length. J is the sum of the values between corresponding
 /// midpoints, each weighed with its share of both curves. The bound gives every midpoint its best partner instead: among
@@ -25,6 +25,8 @@ pub(super) struct Quadrature {
     /// Whether the start of one line sees the end of another, as far as it was asked.
     seen: Vec<Option<bool>>,
     gap: usize,
+    /// Ways from one line to the next: as many as lines round closed curves, one less along open ones.
+    gaps: usize,
     integral: f64,
     bound: f64,
 }
@@ -38,6 +40,7 @@ impl Quadrature {
             arcs,
             middles: [Vec::new(), Vec::new()],
             gap: 0,
+            gaps: if problem.ends().is_some() { lines.len().saturating_sub(1) } else { lines.len() },
             integral: 0.0,
             bound: 0.0,
         }
@@ -50,7 +53,10 @@ impl Quadrature {
         curves: &[ClosedBSpline; 2],
         arc_lengths: &[ArcLength; 2],
     ) -> f64 {
-        let count = self.lines.len();
+        let count = self.gaps;
+        if count == 0 {
+            return 1.0;
+        }
         if self.gap < count {
             for axis in 0..2 {
                 let start = self.arcs[axis][self.gap];
@@ -120,7 +126,7 @@ impl Quadrature {
             }
         }
         let before = (at + count - 1) % count;
-        for beside in [before, at] {
+        for beside in [before, at].into_iter().filter(|&gap| gap < self.gaps) {
             let middles = &self.middles[1 - axis][beside * PARTS..(beside + 1) * PARTS];
             best = middles.iter().fold(best, |best, &other| best.max(value(other)));
         }

@@ -6,7 +6,7 @@ use super::lattice::Survey;
 use super::path::{Path, PathFinder, lines_of};
 use super::place::end_at;
 use super::rounds::Rounds;
-use super::{Outline, Problem, RulingLine, Weights};
+use super::{Ends, Outline, Problem, RulingLine, Weights};
 use crate::curve::{ClosedBSpline, Scheme, sample};
 
 /// Samples of each curve at the first level: fine enough that the best path runs where the optimum on the curves does.
@@ -52,7 +52,7 @@ pub fn even_places(
         let end = |axis: usize, share: f64| end_at(&curves[axis], &arc_lengths[axis], share);
         problem.value_between(end(0, x + by), end(1, y - by))
     };
-    spread_evenly(places, count, |place| {
+    spread_evenly(places, problem.ends().is_none(), count, |place| {
         let (before, here, after) = (value(place, -fineness), value(place, 0.0), value(place, fineness));
         let top = fineness * (before - after) / (2.0 * (before - 2.0 * here + after));
         if top.abs() <= 2.0 * fineness && value(place, top) > here { top } else { 0.0 }
@@ -70,6 +70,8 @@ pub struct Refine {
     curves: [ClosedBSpline; 2],
     weights: Weights,
     gap: f64,
+    /// Of open curves.
+    ends: Option<Ends>,
     finder: PathFinder,
     level: Option<Level>,
     last: Option<(Path, Refined)>,
@@ -86,7 +88,13 @@ impl Refine {
     /// A job that has not begun, for two counter-clockwise curves; `gap` is the distance between their planes.
     #[must_use]
     pub fn new(curves: [ClosedBSpline; 2], weights: Weights, gap: f64) -> Self {
-        Self { curves, weights, gap, finder: PathFinder::default(), level: None, last: None }
+        Self { curves, weights, gap, ends: None, finder: PathFinder::default(), level: None, last: None }
+    }
+
+    /// A job that has not begun, for two open curves that run in the direction in which they are matched.
+    #[must_use]
+    pub fn open(curves: [ClosedBSpline; 2], weights: Weights, gap: f64, ends: Ends) -> Self {
+        Self { ends: Some(ends), ..Self::new(curves, weights, gap) }
     }
 
     /// Advances while `may_go_on` says so, at least by a little. Returns the optimum when it is found, or an inner `None` when
@@ -135,7 +143,8 @@ impl Refine {
         let change = before.map(|before| ((integral - before) / integral).abs());
         let count = level.problem.counts().0;
         let lines = lines_of(level.survey.lattice(), path.cells());
-        let place = |line: &RulingLine| [line.from as f64, line.lifted as f64].map(|k| k / count as f64);
+        let steps = if self.ends.is_some() { count - 1 } else { count };
+        let place = |line: &RulingLine| [line.from as f64, line.lifted as f64].map(|k| k / steps as f64);
         let places = lines.iter().map(place).collect();
         let has_ended = change.is_some_and(|change| change < SMALL_CHANGE);
         self.last = Some((path, Refined { integral, change, count, places, problem: level.problem }));
@@ -149,16 +158,22 @@ impl Refine {
         };
         let (problem, survey) = match &self.last {
             None => {
-                let problem = Problem::new(outlines(FIRST_COUNT), self.weights, self.gap).ok()?;
+                let problem = match self.ends {
+                    None => Problem::new(outlines(FIRST_COUNT), self.weights, self.gap),
+                    Some(ends) => Problem::open(outlines(FIRST_COUNT), self.weights, self.gap, ends),
+                };
+                let problem = problem.ok()?;
                 let survey = Survey::new(&problem);
                 (problem, survey)
             }
             Some((path, refined)) => {
-                let count = 2 * refined.count;
+                // Along open curves the samples of before stay, both ends with them.
+                let count = 2 * refined.count - usize::from(self.ends.is_some());
                 if count > MOST_SAMPLES {
                     return None;
                 }
                 let problem = refined.problem.resampled(outlines(count)).ok()?;
+                let band = if self.ends.is_some() { open_band } else { band };
                 let survey = Survey::within(&problem, band(path, refined.count));
                 (problem, survey)
             }
@@ -191,6 +206,29 @@ fn band(path: &Path, count: usize) -> Vec<(i64, i64)> {
     };
     let width = HALF_WIDTH as i64;
     (0..2 * lap).map(|row| (span(row - width).0 - width, span(row + width).1 + width)).collect()
+}
+
+/// First and last column of each row of the samples and those between them, beside a path from end to end among `count` samples.
+fn open_band(path: &Path, count: usize) -> Vec<(i64, i64)> {
+    let columns = &path.columns;
+    // Rows before the path begins and after it ends have its first and its last column.
+    let at = |half: i64| {
+        let k = half - path.row as i64;
+        let [first, last] = [columns[0].0, columns[columns.len() - 1].1];
+        match usize::try_from(k) {
+            Err(_) => (first, first),
+            Ok(k) => columns.get(k).copied().unwrap_or((last, last)),
+        }
+    };
+    let width = HALF_WIDTH as i64;
+    let last = 2 * count as i64 - 2;
+    let span = |row: i64| {
+        let row = row.clamp(0, last);
+        let half = row / 2;
+        if row % 2 == 0 { (2 * at(half).0, 2 * at(half).1) } else { (2 * at(half).1, 2 * at(half + 1).0) }
+    };
+    let inside = |column: i64| column.clamp(0, last);
+    (0..=last).map(|row| (inside(span(row - width).0 - width), inside(span(row + width).1 + width))).collect()
 }
 
 #[cfg(test)]
