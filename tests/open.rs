@@ -145,12 +145,15 @@ fn worth(problem: &Problem, objective: Objective, path: &[(usize, usize)]) -> f6
     }
 }
 
+/// Lines by the numbers of their vertices.
+type Lines = [(usize, usize)];
+
 /// Every monotone path of visible lines from a start to an end, by plain recursion.
 fn every_path(
     problem: &Problem,
     path: &mut Vec<(usize, usize)>,
     is_end: &dyn Fn(usize, usize) -> bool,
-    found: &mut dyn FnMut(&[(usize, usize)]),
+    found: &mut dyn FnMut(&Lines),
 ) {
     let &(i, j) = path.last().expect("a start");
     if is_end(i, j) {

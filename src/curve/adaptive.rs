@@ -56,10 +56,12 @@ pub fn sample_adaptively(curve: &ClosedBSpline, fineness: Fineness) -> (Samples,
             _ => break sampler.all_corners,
         }
     };
-    stretches.sort_unstable_by(|a, b| a.start.s.total_cmp(&b.start.s));
-    let mut places: Vec<Place> = stretches.iter().map(|stretch| stretch.start).collect();
+    let mut places: Vec<Place> = Vec::with_capacity(stretches.len() + 1);
+    for place in stretches.iter().map(|stretch| stretch.start) {
+        places.insert(places.partition_point(|other| other.s < place.s), place);
+    }
     if !curve.is_closed() {
-        places.extend(stretches.last().map(|stretch| stretch.end));
+        places.push(Place { u: curve.domain().1, s: sampler.arc_length.total() });
     }
     let parameters: Vec<f64> = places.iter().map(|place| place.u).collect();
     let samples = Samples {

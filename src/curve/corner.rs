@@ -84,7 +84,7 @@ impl ClosedBSpline {
     pub fn corners(&self) -> Vec<Corner> {
         let center = self.bounds().center();
         let pieces = self.moving_pieces(center);
-        let mut found = Vec::new();
+        let mut found: Vec<Corner> = Vec::new();
         for (i, piece) in pieces.iter().enumerate() {
             let before = &pieces[(i + pieces.len() - 1) % pieces.len()];
             if (i > 0 || self.is_closed())
@@ -92,12 +92,12 @@ impl ClosedBSpline {
                     (before.tangents(1.0), piece.tangents(0.0))
             {
                 let u = self.wrap(before.hi);
-                found.extend(self.corner(u, Tangents { before: incoming, after: outgoing }));
+                let corner = self.corner(u, Tangents { before: incoming, after: outgoing });
+                insert(&mut found, corner);
             }
             let cusp = cusp(piece);
-            found.extend(cusp.and_then(|(u, tangents)| self.corner(u, tangents)));
+            insert(&mut found, cusp.and_then(|(u, tangents)| self.corner(u, tangents)));
         }
-        found.sort_unstable_by(|a, b| a.u.total_cmp(&b.u));
         found
     }
 
@@ -141,6 +141,13 @@ impl ClosedBSpline {
             (Some((only, _)), None) | (None, Some((_, only))) => Tangents { before: only, after: only },
             (None, None) => Tangents::UNKNOWN,
         }
+    }
+}
+
+/// Puts a corner in its place among others in ascending order.
+fn insert(corners: &mut Vec<Corner>, corner: Option<Corner>) {
+    if let Some(corner) = corner {
+        corners.insert(corners.partition_point(|other| other.u <= corner.u), corner);
     }
 }
 

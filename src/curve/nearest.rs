@@ -83,12 +83,13 @@ impl Patch {
 pub(super) fn nearest_of(pieces: Vec<Bezier>) -> Candidate {
     let mut best = Candidate { u: pieces[0].lo, distance_sq: pieces[0].points[0].length_squared() };
     let deepest = (1.0 / SHORTEST).log2() as u32;
-    let mut open: Vec<_> = pieces.into_iter().map(|piece| Patch::new(piece, 0)).collect();
-    for patch in &open {
-        best.improve(&patch.piece, 0.0);
-        best.improve(&patch.piece, 1.0);
+    let mut open: Vec<Patch> = Vec::with_capacity(pieces.len());
+    for piece in pieces {
+        best.improve(&piece, 0.0);
+        best.improve(&piece, 1.0);
+        let patch = Patch::new(piece, 0);
+        open.insert(open.partition_point(|other| other.lower_bound > patch.lower_bound), patch);
     }
-    open.sort_unstable_by(|a, b| b.lower_bound.total_cmp(&a.lower_bound));
     while let Some(patch) = open.pop() {
         let noise = NOISE * patch.distances.iter().copied().fold(0.0, f64::max).min(best.distance_sq);
         if patch.lower_bound >= best.distance_sq - noise {

@@ -150,7 +150,7 @@ fn strictly_round(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let cut = (0..n).reduce(|best, k| if least(k) > least(best) { k } else { best }).map_or(0, |k| k + 1);
     let mut line: Vec<[f64; 2]> =
         (cut..cut + n).map(|k| places[k % n].map(|share| share + (k / n) as f64)).collect();
-    make_strict(&mut line, |_| {});
+    make_strict(&mut line, false);
     let lap = |place: [f64; 2], by: f64| place.map(|share| share - by);
     let whole = (cut / n) as f64;
     (0..n)
@@ -165,24 +165,24 @@ fn strictly_round(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
 /// last line stay.
 fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut line = places.to_vec();
-    make_strict(&mut line, |rest| {
-        if let [first, .., last] = *rest {
-            rest.iter_mut().for_each(|rest| *rest = rest.min(last).max(first));
-        }
-    });
+    make_strict(&mut line, true);
     if let ([first, .., last], [start, .., end]) = (line.as_mut_slice(), places) {
         (*first, *last) = (*start, *end);
     }
     line
 }
 
-/// Moves lines along their anti-diagonals until the ends on either curve ascend strictly; `limit` may limit the ends on a curve, less
-/// the least steps that they have to move on by.
-fn make_strict(line: &mut [[f64; 2]], limit: impl Fn(&mut [f64])) {
+/// Moves lines along their anti-diagonals until the ends on either curve ascend strictly, where `is_held` between those of the first and the
+/// last line.
+#[inline(never)]
+fn make_strict(line: &mut [[f64; 2]], is_held: bool) {
     for curve in 0..2 {
         let even: Vec<f64> = line.iter().map(|[x, y]| LEAST_STEP * (x + y) / 2.0).collect();
         let mut rest: Vec<f64> = line.iter().zip(&even).map(|(place, even)| place[curve] - even).collect();
-        limit(&mut rest);
+        if let (true, [first, .., last]) = (is_held, rest.as_slice()) {
+            let (first, last) = (*first, *last);
+            rest.iter_mut().for_each(|rest| *rest = rest.min(last).max(first));
+        }
         make_ascending(&mut rest);
         for ((place, rest), even) in line.iter_mut().zip(rest).zip(even) {
             let by = rest + even - place[curve];

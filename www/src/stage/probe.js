@@ -7,7 +7,7 @@
 import { attribute, find, h, svg } from "../dom.js";
 import { fixed, length, percent, significantText } from "../format.js";
 import { symbol } from "../icons.js";
-import { nearestFraction, placeOn } from "../spline.js";
+import { isOpen, nearestFraction, placeOn } from "../spline.js";
 import { mixAt } from "../state/composition.js";
 import { numberNode } from "../number-node.js";
 import { curveName, currentMatch } from "../state/app.js";
@@ -99,7 +99,7 @@ export function createProbe(app) {
         const inside = /** @type {Point} */ ([0, 1].map((axis) => place.at[axis] + by * place.normal[axis]));
         const found = await app.kernel.probe(document, inside, { signal });
         if (!found) continue;
-        const fractions = mixAt(shape.composition, fraction);
+        const fractions = mixAt(shape.composition, fraction, isOpen(shape));
         return { ...found, s: curve, at: place.at, fractions, boundary: { curve, at: fraction } };
       }
     }
