@@ -31,6 +31,29 @@ pub struct Samples {
 }
 
 impl Samples {
+    /// Samples of an open curve as those of the same curve reversed.
+    #[must_use]
+    pub(crate) fn reversed(&self, curve: &ClosedBSpline) -> Self {
+        let (lo, hi) = curve.domain();
+        // The ends stay exact.
+        let mirrored = |&u: &f64| {
+            if u == lo {
+                hi
+            } else if u == hi {
+                lo
+            } else {
+                lo + (hi - u)
+            }
+        };
+        Self {
+            parameters: self.parameters.iter().rev().map(mirrored).collect(),
+            points: self.points.iter().rev().copied().collect(),
+            normals: self.normals.iter().rev().map(|normal| -*normal).collect(),
+            arc: self.arc.iter().rev().map(|arc| self.length - arc).collect(),
+            length: self.length,
+        }
+    }
+
     /// Adds samples at parameters, wrapped into the domain, where there is none yet; returns the number of the sample at each.
     ///
     /// A parameter closer than a billionth of the domain to a sample means that sample.

@@ -1,8 +1,9 @@
 //! The direction in which open curves are matched.
 
-use super::work::{objective_of, problem_of};
-use super::{DocumentError, Model};
-use crate::matching::{Exact, ExactOptions, Infeasible, Layout, Obstacle, Optimum, ProblemError};
+use super::Model;
+use super::work::{objective_of, problem_on};
+use crate::curve::Samples;
+use crate::matching::{Exact, ExactOptions, Infeasible, Layout, Obstacle, Optimum, Outline, Problem};
 
 /// Two open curves matched as they were drawn, and with the second one reversed, as a job that finds out which is better.
 ///
@@ -10,7 +11,6 @@ use crate::matching::{Exact, ExactOptions, Infeasible, Layout, Obstacle, Optimum
 /// them mostly decide at once: those that cross, or meet a curve, bound no band. Of two equal ones the direction as drawn stays.
 #[derive(Debug)]
 pub(super) struct Direction {
-    models: Option<[Model; 2]>,
     jobs: [Exact; 2],
     outcomes: [Option<Rank>; 2],
 }
@@ -19,40 +19,43 @@ pub(super) struct Direction {
 type Rank = (bool, f64);
 
 impl Direction {
-    /// Prepares both directions of a model of open curves as drawn; the model itself, turned as it must be, where that is clear.
-    ///
-    /// # Errors
-    /// When the document has no model, see [`Model::new`].
-    pub(super) fn new(model: Model) -> Result<Result<Self, Box<Model>>, DocumentError> {
-        let turned = Model::turned(model.document().clone(), true)?;
-        let problems = (|| Ok::<_, ProblemError>([problem_of(&model)?, problem_of(&turned)?]))();
+    /// Prepares both directions of a model of open curves as drawn; `None` where nothing is left to find out, after the model was turned if it has
+    /// to be.
+    pub(super) fn new(model: &mut Model) -> Option<Self> {
+        let (curves, samples) = model.pair()?;
+        let turned = [samples[0].clone(), samples[1].reversed(&curves[1])];
+        let problem = |samples: &[Samples; 2]| problem_on(samples.each_ref().map(Outline::from), model);
         // What cannot be matched is told of the curves as they were drawn.
-        let Ok([Some(drawn), Some(reversed)]) = problems else { return Ok(Err(Box::new(model))) };
-        let is_strip = |layout: Layout| matches!(layout, Layout::Strip { .. });
-        match [drawn.layout(), reversed.layout()].map(is_strip) {
-            [true, false] => return Ok(Err(Box::new(model))),
-            [false, true] => return Ok(Err(Box::new(turned))),
+        let problems = [problem(samples).ok()?, problem(&turned).ok()?];
+        let is_strip = |problem: &Problem| matches!(problem.layout(), Layout::Strip { .. });
+        match problems.each_ref().map(is_strip) {
+            [true, false] => return None,
+            [false, true] => {
+                model.turn();
+                return None;
+            }
             [true, true] | [false, false] => {}
         }
-        let job = |problem, model: &Model| {
-            let pins = model.pins().to_vec();
-            let objective = objective_of(&model.document().matching);
-            Exact::new(problem, ExactOptions { objective, pins, ..ExactOptions::default() })
-        };
-        let jobs = [job(drawn, &model), job(reversed, &turned)];
-        Ok(Ok(Self { models: Some([model, turned]), jobs, outcomes: [None; 2] }))
+        let objective = objective_of(&model.document().matching);
+        let mut pins = model.pins().to_vec();
+        let last = samples[1].arc.len() - 1;
+        let jobs = problems.map(|problem| {
+            let options = ExactOptions { objective, pins: pins.clone(), ..ExactOptions::default() };
+            pins.iter_mut().for_each(|pin| pin.1 = last - pin.1);
+            Exact::new(problem, options)
+        });
+        Some(Self { jobs, outcomes: [None; 2] })
     }
 
-    /// Advances while `may_go_on` says so, at least by a little; returns the model in the better direction when it is found.
-    pub(super) fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Model> {
+    /// Advances while `may_go_on` says so, at least by a little; tells whether the model has to be turned when that is found out.
+    pub(super) fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<bool> {
         for (job, outcome) in self.jobs.iter_mut().zip(&mut self.outcomes) {
             if outcome.is_none() {
                 *outcome = Some(rank(&job.step(may_go_on)?));
             }
         }
         let [drawn, reversed] = self.outcomes;
-        let [model, turned] = self.models.take()?;
-        Some(if reversed > drawn { turned } else { model })
+        Some(reversed > drawn)
     }
 
     /// Share of the work that is done, from 0 to 1.

@@ -32,16 +32,11 @@ impl Model {
     /// When a curve, a colour or a composition is not valid, with the path of the field. Curves that meet themselves or
     /// each other are built; [`fault`](Self::fault) tells.
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
-        Self::turned(document, false)
-    }
-
-    /// As [`new`](Self::new); open curves are matched with the second one reversed, where `turned` says so.
-    pub(super) fn turned(document: CurvesDocument, turned: bool) -> Result<Self, DocumentError> {
         let materials = materials(&document)?;
         let (mut curves, mut reversed, mut profiles) = (Vec::new(), Vec::new(), Vec::new());
         for (k, spec) in document.curves.iter().enumerate() {
             profiles.push(profile(&document, k)?);
-            let (curve, is_reversed) = curve(spec, k, turned && k == 1)?;
+            let (curve, is_reversed) = curve(spec, k)?;
             curves.push(curve);
             reversed.push(is_reversed);
         }
@@ -64,6 +59,17 @@ impl Model {
             pins(&document, &curves, &reversed, &mut samples)
         };
         Ok(Self { curves, reversed, samples, coarse, pins, profiles, materials, document })
+    }
+
+    /// Reverses the second of two open curves.
+    pub(super) fn turn(&mut self) {
+        if let ([_, curve], [_, samples]) = (self.curves.as_mut_slice(), self.samples.as_mut_slice()) {
+            *samples = samples.reversed(curve);
+            *curve = curve.reversed();
+            self.reversed[1] = true;
+            let last = samples.arc.len() - 1;
+            self.pins.iter_mut().for_each(|pin| pin.1 = last - pin.1);
+        }
     }
 
     /// The document.
@@ -283,10 +289,10 @@ pub(super) fn drawn_curve(spec: &CurveSpec, k: usize) -> Result<ClosedBSpline, D
         .map_err(|error| refuse(&error, k, spec.points.len()))
 }
 
-/// Builds a curve and turns it counter-clockwise, or an open one as `turned` says; tells whether it was reversed.
-fn curve(spec: &CurveSpec, k: usize, turned: bool) -> Result<(ClosedBSpline, bool), DocumentError> {
+/// Builds a curve and turns a closed one counter-clockwise; tells whether it was reversed.
+fn curve(spec: &CurveSpec, k: usize) -> Result<(ClosedBSpline, bool), DocumentError> {
     let curve = drawn_curve(spec, k)?;
-    let is_reversed = if curve.is_closed() { curve.signed_area() < 0.0 } else { turned };
+    let is_reversed = curve.is_closed() && curve.signed_area() < 0.0;
     if is_reversed { Ok((curve.reversed(), true)) } else { Ok((curve, false)) }
 }
 

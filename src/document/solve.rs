@@ -166,34 +166,31 @@ impl Solve {
     }
 
     fn start(document: CurvesDocument, is_coarse: bool) -> Result<Self, DocumentError> {
-        let model = Model::new(document)?;
+        let mut model = Model::new(document)?;
         let state = match model.fault() {
             Some(fault) => State::Ready(Box::new((Outcome::Refused(fault), Vec::new(), false))),
-            None if model.ends().is_some() && model.pair().is_some() => {
-                return Ok(match Direction::new(model)? {
-                    Ok(direction) => Self {
-                        model: None,
-                        state: State::Directing(Box::new(direction)),
-                        is_coarse,
-                        begun: DIRECTING,
-                    },
-                    Err(model) => {
-                        Self { state: prepare(&model, is_coarse), model: Some(*model), is_coarse, begun: 0.0 }
-                    }
-                });
+            None => {
+                let direction = model.ends().and_then(|_| Direction::new(&mut model));
+                direction.map_or_else(
+                    || prepare(&model, is_coarse),
+                    |direction| State::Directing(Box::new(direction)),
+                )
             }
-            None => prepare(&model, is_coarse),
         };
-        Ok(Self { model: Some(model), state, is_coarse, begun: 0.0 })
+        let begun = if let State::Directing(_) = state { DIRECTING } else { 0.0 };
+        Ok(Self { model: Some(model), state, is_coarse, begun })
     }
 
     /// Advances while `may_go_on` says so, at least by a little; returns the solution when it is found, and `None` ever
     /// after.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Solution> {
         if let State::Directing(direction) = &mut self.state {
-            let model = direction.step(may_go_on)?;
-            self.state = prepare(&model, self.is_coarse);
-            self.model = Some(model);
+            let is_turned = direction.step(may_go_on)?;
+            let model = self.model.as_mut()?;
+            if is_turned {
+                model.turn();
+            }
+            self.state = prepare(model, self.is_coarse);
         }
         if let State::Working(work) = &mut self.state {
             let found = work.step(may_go_on)?;

@@ -345,16 +345,11 @@ impl Work {
     }
 }
 
-/// The outlines of a model as they are matched, with all normals to the right; `None` until both are there.
+/// Two outlines with the weights of a model.
 ///
 /// # Errors
 /// When they cannot be matched.
-pub(super) fn problem_of(model: &Model) -> Result<Option<Problem>, ProblemError> {
-    let problem = |samples: &[Samples; 2]| problem_on(samples.each_ref().map(Outline::from), model);
-    model.pair().map(|(_, samples)| problem(samples)).transpose()
-}
-
-fn problem_on(outlines: [Outline; 2], model: &Model) -> Result<Problem, ProblemError> {
+pub(super) fn problem_on(outlines: [Outline; 2], model: &Model) -> Result<Problem, ProblemError> {
     match model.ends() {
         None => Problem::new(outlines, model.weights(), model.gap()),
         Some(ends) => Problem::open(outlines, model.weights(), model.gap(), ends),

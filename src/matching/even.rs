@@ -102,39 +102,24 @@ fn ascends(places: &[[f64; 2]], closed: bool) -> bool {
 /// Points of the piecewise straight correspondence at equal steps of mu from its first place on, of open curves to its last one.
 pub(super) fn at_even_means(places: &[[f64; 2]], closed: bool, count: usize) -> Vec<[f64; 2]> {
     let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
-    let begin = mean(&places[0]);
-    if !closed {
-        let end = mean(&places[places.len() - 1]);
-        let mut k = 0;
-        let at = |line: usize| {
-            let wanted = begin + (end - begin) * line as f64 / (count - 1).max(1) as f64;
-            while k + 2 < places.len() && mean(&places[k + 1]) <= wanted {
-                k += 1;
-            }
-            let (from, to) = (places[k], places[(k + 1).min(places.len() - 1)]);
-            let step = mean(&to) - mean(&from);
-            let t = if step > 0.0 { ((wanted - mean(&from)) / step).clamp(0.0, 1.0) } else { 0.0 };
-            // The ends of the correspondence are met exactly.
-            [0, 1].map(|curve| if t < 1.0 { from[curve] + t * (to[curve] - from[curve]) } else { to[curve] })
-        };
-        return (0..count).map(at).collect();
-    }
+    let mut chain = places.to_vec();
+    // Closed curves come back to the first place a lap on, where no line is wanted again.
+    chain.extend(places.first().filter(|_| closed).map(|place| place.map(|share| share + 1.0)));
+    let steps = if closed { count } else { (count - 1).max(1) };
+    let (begin, end) = (mean(&chain[0]), mean(&chain[chain.len() - 1]));
     let mut k = 0;
-    let place = |k: usize| {
-        let laps = (k / places.len()) as f64;
-        places[k % places.len()].map(|share| share + laps)
+    let at = |line: usize| {
+        let wanted = begin + (end - begin) * line as f64 / steps as f64;
+        while k + 2 < chain.len() && mean(&chain[k + 1]) <= wanted {
+            k += 1;
+        }
+        let (from, to) = (chain[k], chain[(k + 1).min(chain.len() - 1)]);
+        let step = mean(&to) - mean(&from);
+        let t = if step > 0.0 { ((wanted - mean(&from)) / step).clamp(0.0, 1.0) } else { 0.0 };
+        // The ends of the correspondence are met exactly.
+        [0, 1].map(|curve| if t < 1.0 { from[curve] + t * (to[curve] - from[curve]) } else { to[curve] })
     };
-    (0..count)
-        .map(|line| {
-            let wanted = begin + line as f64 / count as f64;
-            while mean(&place(k + 1)) <= wanted && k < places.len() {
-                k += 1;
-            }
-            let (from, to) = (place(k), place(k + 1));
-            let t = (wanted - mean(&from)) / (mean(&to) - mean(&from));
-            [0, 1].map(|curve| from[curve] + t.clamp(0.0, 1.0) * (to[curve] - from[curve]))
-        })
-        .collect()
+    (0..count).map(at).collect()
 }
 
 /// As [`strictly`], for lines round closed curves.

@@ -127,7 +127,7 @@ impl fmt::Display for Obstacle {
             }
             Self::EndBlocked { last } => write!(
                 f,
-                "the line that joins the {} of the curves meets a curve; free ends, or another shape, leave it out",
+                "the line that joins the {} of the curves meets a curve",
                 if last { "ends" } else { "starts" }
             ),
             Self::EndsCross => {

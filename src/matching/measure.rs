@@ -106,8 +106,9 @@ fn uncovered(problem: &Problem, lines: &[RulingLine]) -> [Vec<usize>; 2] {
 /// Vertices of each outline beyond the first and the last line, which free ends leave out.
 #[must_use]
 pub fn left_out(problem: &Problem, lines: &[RulingLine]) -> [Vec<usize>; 2] {
-    let (reached, counts) = (reached(problem, lines), [problem.counts().0, problem.counts().1]);
-    [0, 1].map(|outline| (0..counts[outline]).filter(|vertex| !reached[outline].contains(vertex)).collect())
+    let (a, b) = problem.counts();
+    let [first, second] = reached(problem, lines);
+    [(first, a), (second, b)].map(|(reached, count)| (0..reached.start).chain(reached.end..count).collect())
 }
 
 /// Vertices of each outline that lines have to reach: all of them, or where the ends are free those from the first line to the last.

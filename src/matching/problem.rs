@@ -123,11 +123,7 @@ impl Problem {
         ends: Ends,
     ) -> Result<Self, ProblemError> {
         let [first, second] = outlines.each_ref().map(|outline| outline.points.as_slice());
-        for (outline, points) in [first, second].into_iter().enumerate() {
-            if let Some((i, k)) = first_self_contact(points, false) {
-                return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
-            }
-        }
+        check_simple(&outlines)?;
         let contact = first_contact(first, second, false);
         if let Some((i, k)) = contact
             && gap == 0.0
@@ -161,10 +157,8 @@ impl Problem {
         weights: Weights,
         gap: f64,
     ) -> Result<Self, ProblemError> {
+        check_simple(&outlines)?;
         for (outline, Outline { points, .. }) in outlines.iter().enumerate() {
-            if let Some((i, k)) = first_self_contact(points, true) {
-                return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
-            }
             if signed_area(points) <= 0.0 {
                 return Err(ProblemError::NotCounterClockwise { outline });
             }
@@ -357,6 +351,15 @@ impl Problem {
         let outline = &self.outlines[outline];
         End { point: outline.points[vertex], normal: outline.normals[vertex] }
     }
+}
+
+fn check_simple(outlines: &[Outline; 2]) -> Result<(), ProblemError> {
+    for (outline, Outline { points, closed, .. }) in outlines.iter().enumerate() {
+        if let Some((i, k)) = first_self_contact(points, *closed) {
+            return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
+        }
+    }
+    Ok(())
 }
 
 /// The least length that counts.
