@@ -7,7 +7,9 @@ import { h } from "../dom.js";
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
 import { ACCEPTED, pickToOpen } from "./file-system.js";
-import { openFile, refuse } from "./open.js";
+
+/** Loaded when a file has been chosen. */
+const opening = () => import("./open.js");
 
 /**
  * @param {App} app
@@ -23,17 +25,17 @@ export function createChooser(app) {
   });
   input.addEventListener("change", () => {
     const [chosen] = input.files ?? [];
-    if (chosen) void openFile(app, chosen);
+    if (chosen) void opening().then(({ openFile }) => openFile(app, chosen));
     input.value = "";
   });
 
   async function choose() {
     try {
       const handle = await pickToOpen();
-      if (handle) await openFile(app, await handle.getFile(), handle);
+      if (handle) await (await opening()).openFile(app, await handle.getFile(), handle);
       else if (handle === undefined) input.click();
     } catch (error) {
-      refuse(app, strings.file.chosen, problem(error).message);
+      (await opening()).refuse(app, strings.file.chosen, problem(error).message);
     }
   }
   return { element: input, choose };

@@ -5,7 +5,6 @@
  */
 import { find } from "../dom.js";
 import { dropped } from "../files/file-system.js";
-import { openFile } from "../files/open.js";
 import { strings } from "../strings.js";
 
 /** @param {App} app */
@@ -35,6 +34,7 @@ export function listenToDrop(app) {
    * @param {number} count of the files that came with it
    */
   async function open({ file, handle }, count) {
+    const { openFile } = await import("../files/open.js");
     const opened = await openFile(app, file, await handle);
     if (!opened || count < 2) return;
     const text = strings.import.onlyFirst(file.name, count);

@@ -5,6 +5,7 @@
  * @import { Format, Table, Wanted } from "../files/contents.js"
  */
 import "../../styles/export.css";
+import "../../styles/push.css";
 import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";

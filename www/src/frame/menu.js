@@ -26,26 +26,8 @@ import { keyName } from "./key-names.js";
 /** @type {(() => void) | null} */
 let closeOpen = null;
 
-/**
- * @param {HTMLButtonElement} button
- * @param {() => (Item | "line")[] | Promise<(Item | "line")[]>} items asked for each time the menu opens
- * @param {{wide?: boolean}} [options]
- */
-export function attachMenu(button, items, { wide = false } = {}) {
-  button.setAttribute("aria-haspopup", "menu");
-  button.setAttribute("aria-expanded", "false");
-  const label = button.textContent || (button.getAttribute("aria-label") ?? "");
-  const open = async () => openMenu(await items(), { label, box: button.getBoundingClientRect(), button, wide });
-  button.addEventListener("click", () => {
-    if (button.getAttribute("aria-expanded") === "true") closeOpen?.();
-    else void open();
-  });
-  button.addEventListener("keydown", (event) => {
-    if (event.key !== "ArrowDown" || button.getAttribute("aria-expanded") === "true") return;
-    event.preventDefault();
-    void open();
-  });
-}
+/** Closes the menu that is open, if one is. */
+export const closeMenu = () => closeOpen?.();
 
 /**
  * Opens a menu in place of any other.

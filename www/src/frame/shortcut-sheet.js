@@ -4,29 +4,27 @@
 import { COMMANDS, shownKey } from "../commands.js";
 import { h } from "../dom.js";
 import { strings } from "../strings.js";
+import { MODE_KEYS } from "./mode-keys.js";
 import { openPanel } from "./panel.js";
 
 export function openShortcuts() {
   const topics = /** @type {(keyof typeof strings.topics)[]} */ (Object.keys(strings.topics));
-  const body = topics.map((topic) =>
-    h(
-      "section",
-      { class: "keys-topic" },
-      h("h3", {}, strings.topics[topic]),
-      h(
-        "dl",
-        {},
-        ...COMMANDS.filter((command) => command.topic === topic && command.keys).map((command) =>
-          h(
-            "div",
-            { class: "keys-row", "data-keys": command.name },
-            h("dt", {}, command.sheet ?? (typeof command.text === "string" ? command.text : "")),
-            h("dd", {}, ...keysOf(command.keys ?? [])),
-          ),
+  const body = [
+    ...topics.map((topic) =>
+      section(
+        strings.topics[topic],
+        COMMANDS.filter((command) => command.topic === topic && command.keys).map(({ name, text, sheet, keys = [] }) =>
+          entry(sheet ?? (typeof text === "string" ? text : ""), keys, name),
         ),
       ),
     ),
-  );
+    ...MODE_KEYS.map(({ heading, rows }) =>
+      section(
+        heading,
+        rows.map(({ text, keys }) => entry(text, keys)),
+      ),
+    ),
+  ];
   openPanel({
     name: "shortcuts",
     heading: strings.commands.shortcuts,
@@ -34,6 +32,14 @@ export function openShortcuts() {
     wide: true,
   });
 }
+
+/** @param {string} heading @param {HTMLElement[]} entries */
+const section = (heading, entries) =>
+  h("section", { class: "keys-topic" }, h("h3", {}, heading), h("dl", {}, ...entries));
+
+/** @param {string} text @param {string[]} keys @param {string} [name] of the command */
+const entry = (text, keys, name) =>
+  h("div", { class: "keys-row", "data-keys": name }, h("dt", {}, text), h("dd", {}, ...keysOf(keys)));
 
 /** @param {string[]} keys */
 const keysOf = (keys) => keys.flatMap((key, i) => [...(i > 0 ? [" "] : []), h("kbd", {}, shownKey(key))]);

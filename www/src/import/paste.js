@@ -4,7 +4,6 @@
  *
  * @import { App } from "../state/app.js"
  */
-import { openFile, openText } from "../files/open.js";
 import { strings } from "../strings.js";
 
 /** @param {App} app */
@@ -16,9 +15,17 @@ export function listenToPaste(app) {
     const text = event.clipboardData?.getData("text/plain") ?? "";
     if (!file && text.trim() === "") return;
     event.preventDefault();
-    if (file) void openFile(app, file);
-    else void openText(app, strings.import.pasted, text);
+    void open(file, text);
   });
+
+  /**
+   * @param {File | undefined} file
+   * @param {string} text when there is no file
+   */
+  async function open(file, text) {
+    const { openFile, openText } = await import("../files/open.js");
+    await (file ? openFile(app, file) : openText(app, strings.import.pasted, text));
+  }
 }
 
 /** @param {HTMLInputElement} input */

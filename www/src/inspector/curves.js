@@ -11,7 +11,7 @@ import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
-import { attachMenu } from "../frame/menu.js";
+import { attachMenu } from "../frame/menu-button.js";
 import { curveMark, icon, symbol } from "../icons.js";
 import { curveName, pointName } from "../state/app.js";
 import { DEGREES, highestDegree, scalePoints, setDegree, turnPoints } from "../state/curve-edits.js";

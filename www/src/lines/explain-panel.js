@@ -5,6 +5,7 @@
  * @import { Panel } from "../frame/panel.js"
  * @import { Explanation, Point, Standing } from "../types.js"
  */
+import "../../styles/push.css";
 import { h } from "../dom.js";
 import { fixed, length } from "../format.js";
 import { openPanel } from "../frame/panel.js";
