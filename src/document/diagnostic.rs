@@ -146,10 +146,7 @@ impl fmt::Display for Diagnostic {
                 )
             }
             Self::Incomplete { curves } => {
-                write!(
-                    f,
-                    "{curves} of 2 curves is there; draw or import a second one, inside it or around it"
-                )
+                write!(f, "{curves} of 2 curves is there; draw or import a second one")
             }
             Self::Corner { curve, at, turn, .. } => {
                 write!(f, "curve {curve} has a corner of {} degrees", turn.round())?;
@@ -189,7 +186,7 @@ impl fmt::Display for Diagnostic {
             Self::Pins { obstacle, .. } | Self::Ends { obstacle } => write!(f, "{obstacle}"),
             Self::LeftOut { curve, vertices } => write!(
                 f,
-                "{} vertices of curve {curve} lie beyond the first or the last line and are left out",
+                "{} vertices of curve {curve} lie beyond the first or the last line",
                 vertices.len()
             ),
             Self::Occluded { lines } => {

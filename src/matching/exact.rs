@@ -130,12 +130,7 @@ impl fmt::Display for Obstacle {
                 "the line that joins the {} of the curves meets a curve",
                 if last { "ends" } else { "starts" }
             ),
-            Self::EndsCross => {
-                write!(
-                    f,
-                    "the lines that join the starts and the ends of the curves cross; free ends may do without"
-                )
-            }
+            Self::EndsCross => write!(f, "the lines that join the starts and the ends of the curves cross"),
             Self::Orphans => write!(f, "some vertices see no vertex of the other curve"),
             Self::Jammed(Stretch { outline, first, count }) => write!(
                 f,

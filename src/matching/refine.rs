@@ -173,8 +173,7 @@ impl Refine {
                     return None;
                 }
                 let problem = refined.problem.resampled(outlines(count)).ok()?;
-                let band = if self.ends.is_some() { open_band } else { band };
-                let survey = Survey::within(&problem, band(path, refined.count));
+                let survey = Survey::within(&problem, band(path, refined.count, self.ends.is_some()));
                 (problem, survey)
             }
         };
@@ -182,19 +181,33 @@ impl Refine {
     }
 }
 
-/// First and last column of each row of twice as many samples, beside a closed path among `count` samples.
-fn band(path: &Path, count: usize) -> Vec<(i64, i64)> {
-    let lap = count as i64;
+/// First and last column of each row of twice as many samples, beside a path among `count` samples: a closed one, or one from end to end,
+/// beyond which its first and its last column go on.
+fn band(path: &Path, count: usize, open: bool) -> Vec<(i64, i64)> {
+    let (lap, width) = (count as i64, HALF_WIDTH as i64);
     let mut spans = vec![(0, 0); count];
-    for (k, &(first, last)) in path.columns[..count].iter().enumerate() {
-        let (row, laps) = ((path.row + k) % count, ((path.row + k) / count) as i64);
-        spans[row] = (first - laps * lap, last - laps * lap);
+    let (begin, end) = (path.columns[0].0, path.columns[path.columns.len() - 1].1);
+    if open {
+        spans = (0..count)
+            .map(|row| match row.checked_sub(path.row) {
+                None => (begin, begin),
+                Some(k) => path.columns.get(k).copied().unwrap_or((end, end)),
+            })
+            .collect();
+    } else {
+        for (k, &(first, last)) in path.columns[..count].iter().enumerate() {
+            let (row, laps) = ((path.row + k) % count, ((path.row + k) / count) as i64);
+            spans[row] = (first - laps * lap, last - laps * lap);
+        }
+        // The row of the start is passed at both ends of the path.
+        let (row, laps) = (path.row % count, (path.row / count) as i64);
+        spans[row].0 = path.columns[count].0 - (laps + 1) * lap;
     }
-    // The row of the start is passed at both ends of the path.
-    let (row, laps) = (path.row % count, (path.row / count) as i64);
-    spans[row].0 = path.columns[count].0 - (laps + 1) * lap;
-    // Rows of the finer level, from some before the seam to some beyond it.
+    // Rows of the finer level, from some before the seam to some beyond it, or from the first to the last.
+    let last = 2 * lap - 2;
+    let inside = |at: i64| if open { at.clamp(0, last) } else { at };
     let span = |row: i64| {
+        let row = inside(row);
         let half = row.div_euclid(2);
         let at = |half: i64| {
             let (first, last) = spans[half.rem_euclid(lap) as usize];
@@ -204,31 +217,8 @@ fn band(path: &Path, count: usize) -> Vec<(i64, i64)> {
         let (first, last) = at(half);
         if row.rem_euclid(2) == 0 { (2 * first, 2 * last) } else { (2 * last, 2 * at(half + 1).0) }
     };
-    let width = HALF_WIDTH as i64;
-    (0..2 * lap).map(|row| (span(row - width).0 - width, span(row + width).1 + width)).collect()
-}
-
-/// First and last column of each row of the samples and those between them, beside a path from end to end among `count` samples.
-fn open_band(path: &Path, count: usize) -> Vec<(i64, i64)> {
-    let columns = &path.columns;
-    // Rows before the path begins and after it ends have its first and its last column.
-    let at = |half: i64| {
-        let k = half - path.row as i64;
-        let [first, last] = [columns[0].0, columns[columns.len() - 1].1];
-        match usize::try_from(k) {
-            Err(_) => (first, first),
-            Ok(k) => columns.get(k).copied().unwrap_or((last, last)),
-        }
-    };
-    let width = HALF_WIDTH as i64;
-    let last = 2 * count as i64 - 2;
-    let span = |row: i64| {
-        let row = row.clamp(0, last);
-        let half = row / 2;
-        if row % 2 == 0 { (2 * at(half).0, 2 * at(half).1) } else { (2 * at(half).1, 2 * at(half + 1).0) }
-    };
-    let inside = |column: i64| column.clamp(0, last);
-    (0..=last).map(|row| (inside(span(row - width).0 - width), inside(span(row + width).1 + width))).collect()
+    let rows = 2 * lap - i64::from(open);
+    (0..rows).map(|row| (inside(span(row - width).0 - width), inside(span(row + width).1 + width))).collect()
 }
 
 #[cfg(test)]
