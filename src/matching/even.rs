@@ -1,50 +1,45 @@
 //! Lines evenly spread along a correspondence.
 
+use super::spacing::APART;
+
 /// Least share of its even step by which an end moves on from one line to the next: spreads fans a little, so that no two
 /// lines share an end.
-const LEAST_STEP: f64 = 1.0 / 128.0;
+pub(super) const LEAST_STEP: f64 = 1.0 / 128.0;
 
 /// Places `count` lines at equal steps of mu, the mean of the shares of arc length on both curves, along a correspondence.
 ///
-/// `places` are ends in shares of arc length on both curves once round, or from end to end of open ones, weakly ascending, not all
-/// the same. `improve` may move a line along its anti-diagonal: it gets the two ends and returns how much to add to the first and
-/// take from the second. The places returned ascend strictly on both curves, within one lap: where many lines of
-/// the correspondence share an end (a fan), their ends are drawn apart by the least squares of moves. On open curves the first and
-/// the last line stay; there are no lines where these do not move on strictly.
+/// `places` are ends in shares of arc length on both curves once round, weakly ascending, not all the same. `improve` may
+/// move a line along its anti-diagonal: it gets the two ends and returns how much to add to the first and take
+/// from the second. The places returned ascend strictly on both curves, within one lap: where many lines of
+/// the correspondence share an end (a fan), their ends are drawn apart by the least squares of moves, and no end passes a corner, whose shares of
+/// arc length `corners` holds.
 pub(super) fn spread_evenly(
     places: &[[f64; 2]],
-    closed: bool,
     count: usize,
+    corners: &[Vec<f64>; 2],
     mut improve: impl FnMut([f64; 2]) -> f64,
 ) -> Vec<[f64; 2]> {
-    if let (false, [first, .., last]) = (closed, places)
-        && !ascends(&[*first, *last], false)
-    {
-        return Vec::new();
-    }
-    let plain = at_even_means(places, closed, count);
-    let is_end = |k: usize| !closed && (k == 0 || k + 1 == count);
+    let plain = at_even_means(places, true, count);
     let moved: Vec<[f64; 2]> = plain
         .iter()
-        .enumerate()
-        .map(|(k, &[x, y])| {
-            let by = if is_end(k) { 0.0 } else { improve([x, y]) };
+        .map(|&[x, y]| {
+            let by = improve([x, y]);
             [x + by, y - by]
         })
         .collect();
-    let strict = |places: &[[f64; 2]]| if closed { strictly_round(places) } else { strictly(places) };
-    let spread = [strict(&moved), strict(&plain)].into_iter().find(|places| ascends(places, closed));
-    spread.unwrap_or_else(|| {
+    let tries = [(&moved, true), (&plain, true), (&plain, false)];
+    let mut tries = tries.map(|(places, keeps)| {
+        let corners = if keeps { corners.each_ref().map(Vec::as_slice) } else { [[].as_slice(); 2] };
+        strictly(places, corners)
+    });
+    tries.iter_mut().find(|places| ascends(places, true)).map(std::mem::take).unwrap_or_else(|| {
         // Any correspondence becomes strict when it is mixed with the rigid one.
-        let offset = |[x, y]: [f64; 2]| x - y;
-        let (first, last) = (offset(plain[0]), offset(plain[count - 1]));
-        let mean = plain.iter().copied().map(offset).sum::<f64>() / count as f64;
-        let mix = |(k, &[x, y]): (usize, &[f64; 2])| {
-            let rigid = if closed { mean } else { first + (last - first) * k as f64 / (count - 1) as f64 };
-            let by = LEAST_STEP * (rigid - (x - y)) / 2.0;
+        let offset = plain.iter().map(|[x, y]| x - y).sum::<f64>() / count as f64;
+        let mix = |&[x, y]: &[f64; 2]| {
+            let by = LEAST_STEP * (offset - (x - y)) / 2.0;
             [x + by, y - by]
         };
-        plain.iter().enumerate().map(mix).collect()
+        plain.iter().map(mix).collect()
     })
 }
 
@@ -93,7 +88,7 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, closed: bool, held: &[[f64; 2]]) 
 }
 
 /// Whether places ascend strictly on both curves and, on closed ones, keep within a lap.
-fn ascends(places: &[[f64; 2]], closed: bool) -> bool {
+pub(super) fn ascends(places: &[[f64; 2]], closed: bool) -> bool {
     let lap = places.first().filter(|_| closed).map(|[x, y]| [x + 1.0, y + 1.0]);
     let next = places.iter().copied().skip(1).chain(lap);
     places.iter().zip(next).all(|([x, y], [u, v])| *x < u && *y < v)
@@ -122,8 +117,9 @@ pub(super) fn at_even_means(places: &[[f64; 2]], closed: bool, count: usize) -> 
     (0..count).map(at).collect()
 }
 
-/// As [`strictly`], for lines round closed curves.
-fn strictly_round(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly, each on its own side
+/// of every corner.
+fn strictly(places: &[[f64; 2]], corners: [&[f64]; 2]) -> Vec<[f64; 2]> {
     let n = places.len();
     let least = |k: usize| {
         let [x, y] = places[k];
@@ -135,7 +131,25 @@ fn strictly_round(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let cut = (0..n).reduce(|best, k| if least(k) > least(best) { k } else { best }).map_or(0, |k| k + 1);
     let mut line: Vec<[f64; 2]> =
         (cut..cut + n).map(|k| places[k % n].map(|share| share + (k / n) as f64)).collect();
-    make_strict(&mut line, false);
+    for curve in 0..2 {
+        let even: Vec<f64> = line.iter().map(|[x, y]| LEAST_STEP * (x + y) / 2.0).collect();
+        let mut rest: Vec<f64> = line.iter().zip(&even).map(|(place, even)| place[curve] - even).collect();
+        let mut walls = walls(&line, curve, corners[curve]);
+        // Half a least step on this side of the corner for the last line before it, and on the other side for the first one after it.
+        let half = LEAST_STEP / (2 * n) as f64;
+        walls.iter_mut().for_each(|(first, at)| *at += half - even[*first]);
+        let (mut begin, mut low) = (0, f64::NEG_INFINITY);
+        for (end, high) in walls.into_iter().chain([(n, f64::INFINITY)]) {
+            make_ascending(&mut rest[begin..end]);
+            rest[begin..end].iter_mut().for_each(|number| *number = number.max(low).min(high));
+            (begin, low) = (end, high);
+        }
+        for ((place, rest), even) in line.iter_mut().zip(rest).zip(even) {
+            let by = rest + even - place[curve];
+            place[curve] += by;
+            place[1 - curve] -= by;
+        }
+    }
     let lap = |place: [f64; 2], by: f64| place.map(|share| share - by);
     let whole = (cut / n) as f64;
     (0..n)
@@ -146,39 +160,20 @@ fn strictly_round(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly; the first and the
-/// last line stay.
-fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut line = places.to_vec();
-    make_strict(&mut line, true);
-    if let ([first, .., last], [start, .., end]) = (line.as_mut_slice(), places) {
-        (*first, *last) = (*start, *end);
-    }
-    line
-}
+/// Samples at a corner lie this share of arc length before it, or at it.
+const BEFORE: f64 = APART / 2.0;
 
-/// Moves lines along their anti-diagonals until the ends on either curve ascend strictly, where `is_held` between those of the first and the
-/// last line.
-#[inline(never)]
-fn make_strict(line: &mut [[f64; 2]], is_held: bool) {
-    for curve in 0..2 {
-        let even: Vec<f64> = line.iter().map(|[x, y]| LEAST_STEP * (x + y) / 2.0).collect();
-        let mut rest: Vec<f64> = line.iter().zip(&even).map(|(place, even)| place[curve] - even).collect();
-        if let (true, [first, .., last]) = (is_held, rest.as_slice()) {
-            let (first, last) = (*first, *last);
-            rest.iter_mut().for_each(|rest| *rest = rest.min(last).max(first));
-        }
-        make_ascending(&mut rest);
-        for ((place, rest), even) in line.iter_mut().zip(rest).zip(even) {
-            let by = rest + even - place[curve];
-            place[curve] += by;
-            place[1 - curve] -= by;
-        }
-    }
+/// Where the ends of lines in ascending order pass the corners of a curve: the first line beyond each, and the corner, laps counted.
+fn walls(line: &[[f64; 2]], curve: usize, corners: &[f64]) -> Vec<(usize, f64)> {
+    let (Some(first), Some(last)) = (line.first(), line.last()) else { return Vec::new() };
+    let laps = first[curve].floor() as i64..=last[curve].floor() as i64;
+    let all = laps.flat_map(|lap| corners.iter().map(move |corner| corner + lap as f64));
+    let passed = all.map(|corner| (line.partition_point(|place| place[curve] < corner - BEFORE), corner));
+    passed.filter(|(at, _)| (1..line.len()).contains(at)).collect()
 }
 
 /// Replaces numbers by the closest weakly ascending ones in the sense of least squares: pools neighbours that descend.
-fn make_ascending(numbers: &mut [f64]) {
+pub(super) fn make_ascending(numbers: &mut [f64]) {
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for &number in numbers.iter() {
         let (mut sum, mut count) = (number, 1);
@@ -207,7 +202,7 @@ mod tests {
     fn a_rigid_correspondence_is_cut_into_equal_steps() {
         let places: Vec<[f64; 2]> =
             (0..10).map(|k| [f64::from(k) / 10.0, f64::from(k) / 10.0 + 0.3]).collect();
-        let spread = spread_evenly(&places, true, 7, |_| 0.0);
+        let spread = spread_evenly(&places, 7, &[Vec::new(), Vec::new()], |_| 0.0);
         for (k, [x, y]) in spread.iter().enumerate() {
             assert!((x - k as f64 / 7.0).abs() < 1e-12 && (y - x - 0.3).abs() < 1e-12, "{k}: {x} {y}");
         }
@@ -246,7 +241,8 @@ mod tests {
             }
             for count in [1, 2, 3, 7, 44, 500] {
                 let noise = 0.3 / count as f64;
-                let spread = spread_evenly(&places, true, count, |_| numbers.between(-noise, noise));
+                let corners = [0, 1].map(|_| (0..case % 4).map(|k| (k as f64 + 0.37) / 4.0).collect());
+                let spread = spread_evenly(&places, count, &corners, |_| numbers.between(-noise, noise));
                 assert_eq!(spread.len(), count);
                 assert!(ascends(&spread, true), "case {case}, {count} lines: {places:?}");
                 for pair in means(&spread).windows(2) {
@@ -255,6 +251,23 @@ mod tests {
                         "case {case}: equal steps"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn lines_of_a_fan_stay_on_their_side_of_a_corner() {
+        // Both fans of a corner at 0.5: most lines arrive from the side before it.
+        let before = 0.5 - APART;
+        let places = [[0.0, 0.0], [before, 0.4], [before, 0.62], [0.5, 0.62], [0.5, 0.7]];
+        for count in [20, 100, 1000] {
+            let corners = [vec![0.5], Vec::new()];
+            let plain = at_even_means(&places, true, count);
+            let spread = spread_evenly(&places, count, &corners, |_| 0.0);
+            assert!(ascends(&spread, true));
+            for (place, plain) in spread.iter().zip(&plain) {
+                assert_eq!(place[0] < 0.5, plain[0] < 0.5 - APART / 2.0, "{count}: {plain:?} to {place:?}");
+                assert!((place[0] - plain[0]).abs() < 3e-3, "{count}: {plain:?} to {place:?}");
             }
         }
     }

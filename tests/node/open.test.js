@@ -22,7 +22,7 @@ test("a strip is matched end to end, and nothing of it closes", () => {
   assert.deepEqual(match.reversed, [false, true], "drawn against each other");
   const { pairs } = match.totals;
   assert.ok(pairs && pairs.crossings === 0 && pairs.blocked === 0 && Number(pairs.eta) > 0.9);
-  assert.equal(match.gapKind, "refined");
+  assert.ok(match.gapKind === "refined" || match.gapKind === "supremum", `${match.gapKind}`);
   const [first, last] = [match.pairs[0], match.pairs[match.pairs.length - 1]];
   assert.deepEqual([first.from, last.from], [strip.curves[0].points[0], strip.curves[0].points.at(-1)]);
   assert.deepEqual([first.to, last.to], [strip.curves[1].points.at(-1), strip.curves[1].points[0]]);
