@@ -25,7 +25,7 @@ test("a strip is verified, its ends are a choice, and its handles work", async (
   await eventually(async () => assert.match(await status(page), /Verified/));
   assert.deepEqual(await audit(page), []);
   const before = (await documentOf(page)).curves[0].points[6];
-  await drag(page, await middle(handle(page, "0.6")), [0, 24]);
+  await drag(page, await middle(handle(page, "A7")), [0, 24]);
   await eventually(async () => assert.notDeepEqual((await documentOf(page)).curves[0].points[6], before));
   await eventually(async () => assert.match(await status(page), /Verified/));
 });
