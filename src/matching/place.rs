@@ -44,6 +44,10 @@ impl Placing {
             let beyond = places.iter().filter(|place| place[0] >= 1.0).count();
             places.rotate_right(beyond);
             places[..beyond].iter_mut().for_each(|place| *place = place.map(|share| share - 1.0));
+        } else {
+            // Rounding must not lead beyond an end.
+            let inside = |share: f64| if share > 1.0 - SAME { 1.0 } else { share.max(0.0) };
+            places.iter_mut().for_each(|place| *place = place.map(inside));
         }
         let refined = [0, 1].map(|axis| {
             let wrapped = |share: f64| if closed { share.rem_euclid(1.0) } else { share };
