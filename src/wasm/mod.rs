@@ -14,6 +14,8 @@ mod painting;
 #[cfg(feature = "paths")]
 mod paths;
 mod results;
+#[cfg(feature = "svg")]
+mod svg;
 
 use js_sys::Reflect;
 use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};

@@ -15,6 +15,7 @@ struct PathsResult {
     from: String,
     to: String,
     commands: usize,
+    closed: bool,
     error: f64,
     /// x, y, width and height with y down.
     #[serde(rename = "viewBox")]
@@ -44,6 +45,7 @@ fn result(solution: &Solution, pair: &PathPair) -> PathsResult {
         from,
         to,
         commands: pair.commands(),
+        closed: pair.closed,
         error,
         view_box: [min.x, -max.y, max.x - min.x, max.y - min.y],
         fractions: [

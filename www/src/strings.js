@@ -140,7 +140,7 @@ export const strings = {
   },
 
   empty: {
-    line: "Draw two closed curves, one inside the other, or start from something ready.",
+    line: "Draw two curves, or start from something ready.",
     gallery: "Gallery",
     import: "Import",
   },
@@ -165,11 +165,12 @@ export const strings = {
     scaled: (/** @type {string} */ x, /** @type {string} */ y) => (x === y ? `Scaled to ${x}` : `Scaled to ${x} across, ${y} up`),
   },
 
-  workbench: "Curves",
   untitled: "Untitled",
 
   bar: {
     workbenches: "Workbenches",
+    curves: "Curves",
+    lessons: "Lessons",
     title: "Document title",
     edited: "Edited",
     saved: "Saved",

@@ -25,11 +25,11 @@ const SAME_CUT: f64 = 1e-12;
 /// Part of the tolerance that the fit may use; the rest is left to the digits of the numbers that are written.
 const OF_THE_FIT: f64 = 0.95;
 
-/// Two closed paths of cubics, counter-clockwise with y up.
+/// Two paths of cubics: closed ones, counter-clockwise with y up, or open ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathPair {
-    /// Of each curve: the point that starts the path, then for each command its two handles and its end; the last end is the
-    /// start.
+    /// Of each curve: the point that starts the path, then for each command its two handles and its end; the last end of
+    /// a closed path is its start.
     pub points: [Vec<DVec2>; 2],
     /// Of each command, the parameters (u, v) at its middle, ascending beyond the ends of the domains.
     pub middles: Vec<(f64, f64)>,
@@ -38,6 +38,8 @@ pub struct PathPair {
     pub error: f64,
     /// Number of decimals with which the tolerance holds for the text of the paths.
     pub decimals: usize,
+    /// Whether the paths are closed.
+    pub closed: bool,
 }
 
 impl PathPair {
@@ -54,13 +56,13 @@ impl PathPair {
         Bounds::around(first[0], first[1..].iter().chain(second).copied())
     }
 
-    /// The paths as SVG writes them: y down, one `M`, the cubics, `Z`; and a bound of the distance from the curves, which
+    /// The paths as SVG writes them: y down, one `M`, the cubics, and `Z` where they are closed; and a bound of the distance from the curves, which
     /// counts the digits that are left out.
     #[must_use]
     pub fn svg(&self) -> ([String; 2], f64) {
         let unit = 10.0_f64.powi(-(self.decimals as i32));
         (
-            self.points.each_ref().map(|points| written(points, self.decimals)),
+            self.points.each_ref().map(|points| written(points, self.decimals, self.closed)),
             self.error + unit * 0.5_f64.sqrt(),
         )
     }
@@ -104,6 +106,7 @@ pub fn path_pair(
         middles: Vec::new(),
         error: 0.0,
         decimals: decimals(tolerance),
+        closed: curves[0].is_closed(),
     };
     let mut start = 0;
     while start < stretches.len() {
@@ -119,7 +122,7 @@ pub fn path_pair(
     if pair.commands() > MOST_COMMANDS {
         return Err(PathError::OutOfReach { tolerance, limit: MOST_COMMANDS });
     }
-    for points in &mut pair.points {
+    for points in pair.points.iter_mut().filter(|_| pair.closed) {
         let first = points[0];
         if let Some(last) = points.last_mut() {
             *last = first;
@@ -138,7 +141,8 @@ fn stretches(curves: &[ClosedBSpline; 2], places: &[(f64, f64)], origin: DVec2) 
     let Some(&(u, v)) = places.first() else { return Vec::new() };
     let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
     let knots = [curves[0].knots_from(u), curves[1].knots_from(v)];
-    let next = places.iter().copied().skip(1).chain([(u + periods[0], v + periods[1])]);
+    let lap = curves[0].is_closed().then_some((u + periods[0], v + periods[1]));
+    let next = places.iter().copied().skip(1).chain(lap);
     let mut cuts = Vec::new();
     let mut passed = [0, 0];
     for (&(u0, v0), (u1, v1)) in places.iter().zip(next) {
@@ -264,7 +268,7 @@ fn longest_run(stretches: &[Stretch], ends: &[f64], start: usize, tolerance: f64
 }
 
 /// A path with y down.
-fn written(points: &[DVec2], decimals: usize) -> String {
+fn written(points: &[DVec2], decimals: usize, closed: bool) -> String {
     let mut text = String::new();
     for (k, point) in points.iter().enumerate() {
         text.push_str(match k {
@@ -276,7 +280,9 @@ fn written(points: &[DVec2], decimals: usize) -> String {
         text.push(' ');
         number(&mut text, -point.y, decimals);
     }
-    text.push('Z');
+    if closed {
+        text.push('Z');
+    }
     text
 }
 

@@ -103,6 +103,35 @@ fn cubics_and_parabolas_are_exact() {
     }
 }
 
+/// Open curves: from end to end, and not back.
+#[test]
+fn open_curves_give_open_paths() {
+    let arc = |radius: f64, degree: usize| {
+        let points =
+            (0..8).map(|k| DVec2::from_angle(0.4 * f64::from(k)) * radius * (1.0 + 0.05 * f64::from(k % 3)));
+        ClosedBSpline::new(degree, Form::Open, points.collect(), None).expect("a valid curve")
+    };
+    let curves = [arc(1.0, 3), arc(2.0, 4)];
+    let even: Vec<_> = (0..=12).map(|k| f64::from(k) / 12.0).map(|t| (t, t * t)).collect();
+    let pair = path_pair(&curves, &even, 1e-4).expect("paths");
+    assert!(!pair.closed && pair.error <= 1e-4);
+    for (points, curve) in pair.points.iter().zip(&curves) {
+        let (first, last) = (curve.points()[0], curve.points()[7]);
+        assert!(points[0].distance(first) < 1e-12 && points[points.len() - 1].distance(last) < 1e-12);
+    }
+    for (command, &(u, v)) in pair.middles.iter().enumerate() {
+        for (curve, at) in [u, v].into_iter().enumerate() {
+            let dense: Vec<DVec2> =
+                (0..=200).map(|i| on(&pair.points[curve], command, f64::from(i) / 200.0)).collect();
+            let nearest =
+                dense.iter().map(|p| p.distance(curves[curve].point(at))).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 0.01, "{command} {curve} {nearest}");
+        }
+    }
+    let ([text, _], _) = pair.svg();
+    assert!(text.starts_with('M') && !text.ends_with('Z'));
+}
+
 #[test]
 fn corners_stay_corners() {
     let square = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)].map(DVec2::from);

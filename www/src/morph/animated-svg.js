@@ -83,7 +83,7 @@ function worn(from, to, { paths, motion, materials, theme }) {
     let last = k + 1;
     // Neighbours of the same colours all the way are one piece.
     while (last < starts.length && same(first[last], first[k]) && same(second[last], second[k])) last += 1;
-    const whole = last - k === starts.length;
+    const whole = paths.closed && last - k === starts.length;
     const data = (/** @type {typeof starts} */ all) =>
       `M${all[k]?.start}${all.slice(k, last).map(({ cubic }) => cubic).join("")}${whole ? "Z" : ""}`;
     const [a, b] = [data(starts), data(ends)];

@@ -39,35 +39,41 @@ export function pathText(text, paths, { title, materials, motion }) {
         [["from", from], ["to", to]].map(([id, d]) => `<path id="${id}" vector-effect="non-scaling-stroke" d="${d}"/>\n`).join("") +
         `</g>\n</svg>\n`
       );
-    case "smil":
+    case "smil": {
+      const [name, rest] = paths.closed ? ["fill", ""] : ["stroke", ' fill="none" stroke-width="2" vector-effect="non-scaling-stroke"'];
       return (
-        `${open}<path fill="${color(0)}" d="${from}">\n${animate("d", from, to, motion)}\n` +
-        `${animateColor("fill", color, motion)}\n</path>\n</svg>\n`
+        `${open}<path ${name}="${color(0)}"${rest} d="${from}">\n${animate("d", from, to, motion)}\n` +
+        `${animateColor(name, color, motion)}\n</path>\n</svg>\n`
       );
+    }
     case "css":
       return css(paths, box, motion, [color(0), color(1)]);
   }
 }
 
 /** @param {MorphPaths} paths @param {string} box @param {Motion} motion @param {[string, string]} fills */
-function css({ from, to, viewBox }, box, motion, [first, last]) {
+function css({ from, to, closed, viewBox }, box, motion, [first, last]) {
   const timing = HANDLES[motion.easing].map((handle) => Number(handle.toFixed(6))).join(", ");
   const count = { once: "forwards", loop: "infinite", swing: "infinite alternate" }[motion.repeat];
   const run = `${motion.seconds}s cubic-bezier(${timing}) ${count}`;
-  const scale = CLIP / Math.max(viewBox[2], viewBox[3]);
-  const [width, height] = [viewBox[2] * scale, viewBox[3] * scale].map((side) => Math.ceil(side));
-  const place = fitted(viewBox, { width, height }, 0);
-  const [a, b] = [from, to].map((path) => moved(path, place, 2));
-  return `/* For <svg viewBox="${box}"><path class="morph" /></svg> */
+  const ink = (/** @type {string} */ color) => (closed ? `fill: ${color}` : `fill: none; stroke: ${color}`);
+  const path = `/* For <svg viewBox="${box}"><path class="morph" /></svg> */
 .morph {
   animation: morph ${run};
 }
 
 @keyframes morph {
-  from { d: path("${from}"); fill: ${first}; }
-  to { d: path("${to}"); fill: ${last}; }
+  from { d: path("${from}"); ${ink(first)}; }
+  to { d: path("${to}"); ${ink(last)}; }
 }
-
+`;
+  // An open curve cuts nothing out.
+  if (!closed) return path;
+  const scale = CLIP / Math.max(viewBox[2], viewBox[3]);
+  const [width, height] = [viewBox[2] * scale, viewBox[3] * scale].map((side) => Math.ceil(side));
+  const place = fitted(viewBox, { width, height }, 0);
+  const [a, b] = [from, to].map((path) => moved(path, place, 2));
+  return `${path}
 /* For any element */
 .morph-clip {
   width: ${width}px;
