@@ -2,6 +2,7 @@
 import { existsSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
+import { npm } from "./npm.mjs";
 import { root } from "./paths.mjs";
 import { run } from "./run.mjs";
 
@@ -18,10 +19,8 @@ export const packages = {
   name: "packages",
   async run(log) {
     if (await installed()) return "fresh";
-    const options = ["ci", "--include=dev", "--no-audit", "--no-fund"];
-    const npm = process.env.npm_execpath;
-    if (npm?.endsWith("js")) await run(process.execPath, [npm, ...options], { log });
-    else await run(process.platform === "win32" ? "npm.cmd" : "npm", options, { log });
+    const [program, ...before] = npm();
+    await run(program, [...before, "ci", "--include=dev", "--no-audit", "--no-fund"], { log });
   },
 };
 
