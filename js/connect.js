@@ -19,16 +19,68 @@ import { DirectrixError } from "./errors.js";
  * @returns {Promise<import("./directrix.js").Connection>}
  */
 export async function connect(options = {}) {
-  const client = new Client(options);
-  await client.opened;
+  const client = await opened(options);
   const functions = FUNCTIONS.map((name) => [name, (/** @type {any[]} */ ...args) => client.call(name, args)]);
   return {
     .../** @type {any} */ (Object.fromEntries(functions)),
     close: () => client.close(),
+    runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {
       client.onrestart = listener;
     },
   };
+}
+
+/**
+ * The ways to start the worker, in the order in which they are tried.
+ *
+ * @type {{ runsIn: "worker" | "blob worker", constructor: typeof Worker }[]}
+ */
+const WAYS = [
+  { runsIn: "worker", constructor: globalThis.Worker },
+  { runsIn: "blob worker", constructor: /** @type {typeof Worker} */ (/** @type {unknown} */ (blobWorker)) },
+];
+
+/**
+ * A client whose worker has started. A browser refuses a worker from another origin than the page's, but not one of the page's own that
+ * imports it; a policy of the page may refuse either.
+ *
+ * @param {import("./directrix.js").ConnectOptions} options
+ * @returns {Promise<Client>}
+ */
+async function opened(options) {
+  /** @type {unknown} */
+  let refusal;
+  for (const way of WAYS) {
+    try {
+      const client = new Client(options, way);
+      await client.opened;
+      return client;
+    } catch (error) {
+      if (!isRefusal(error)) throw error;
+      refusal ??= error;
+    }
+  }
+  throw refusal;
+}
+
+/** Whether a worker could not be started at all; what went wrong inside it would go wrong in another as well. @param {unknown} error */
+const isRefusal = (error) => !(error instanceof DirectrixError) || error.code === "no-worker";
+
+/**
+ * A worker of the page's own origin that imports a module from elsewhere.
+ *
+ * @param {URL} address
+ * @param {WorkerOptions} options
+ */
+function blobWorker(address, options) {
+  const source = new Blob([`import ${JSON.stringify(String(address))};`], { type: "text/javascript" });
+  const own = URL.createObjectURL(source);
+  const worker = new Worker(own, options);
+  const release = () => URL.revokeObjectURL(own);
+  worker.addEventListener("message", release, { once: true });
+  worker.addEventListener("error", release, { once: true });
+  return worker;
 }
 
 /** The worker, the calls that wait for it, and its restart after a trap. */
@@ -42,10 +94,16 @@ class Client {
   #worker;
   #isClosed = false;
   #options;
+  #makes;
 
-  /** @param {import("./directrix.js").ConnectOptions} options */
-  constructor(options) {
+  /**
+   * @param {import("./directrix.js").ConnectOptions} options
+   * @param {(typeof WAYS)[number]} way
+   */
+  constructor(options, { runsIn, constructor }) {
     this.#options = options;
+    this.#makes = constructor;
+    this.runsIn = runsIn;
     const { promise, resolve, reject } = withResolvers();
     /** @type {Promise<void>} */
     this.opened = promise;
@@ -87,16 +145,21 @@ class Client {
    * @param {(error: unknown) => void} failed
    */
   #start(ready, failed) {
+    // Bundlers know this form, and put the worker's address into it whatever the constructor is.
+    const Worker = this.#makes;
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "directrix" });
+    let answers = false;
     const fail = (/** @type {unknown} */ error) => {
       failed(error);
       for (const id of [...this.#pending.keys()]) this.#settle(id)?.reject(error);
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      fail(new DirectrixError("failed", "", event.message || "the worker could not be started"));
+      if (!answers) worker.terminate();
+      fail(new DirectrixError(answers ? "failed" : "no-worker", "", event.message || "the worker could not be started"));
     };
     worker.onmessage = ({ data }) => {
+      answers = true;
       if (data.type === "ready") ready();
       else if (data.type === "failed") fail(revive(data.error));
       else this.#receive(data);

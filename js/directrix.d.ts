@@ -494,6 +494,8 @@ type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A
 export type Connection = { [K in Exclude<keyof Directrix, "job">]: Asynchronous<Directrix[K]> } & {
   /** Ends the worker. */
   close(): void;
+  /** The worker of the page's own origin, or one made on the page because the package comes from another. */
+  readonly runsIn: "worker" | "blob worker";
   /** Called when a new worker has taken over from one whose module trapped. */
   onrestart: (() => void) | undefined;
 };
@@ -503,6 +505,26 @@ export function load(options?: LoadOptions): Promise<Directrix>;
 
 /** Starts a worker; browsers only. */
 export function connect(options?: ConnectOptions): Promise<Connection>;
+
+/** What a link says: the document it leads to, and how that is shown. Of `document`, `preset` and `url` at most one is there. */
+export interface Link {
+  /** Carried whole by the link. */
+  document?: CurvesDocument;
+  /** The name of a preset, such as `amoeba`. */
+  preset?: string;
+  /** The address of a document, from which it is fetched once a person agrees. */
+  url?: string;
+  /** Default `figure`. */
+  view?: "figure" | "steps" | "compare";
+  /** Of the view `steps`: a whole number from 1. */
+  step?: number;
+  /** Default `full`. */
+  controls?: "full" | "minimal" | "none";
+  /** Default `auto`, which follows the system. */
+  theme?: "auto" | "light" | "dark";
+  /** Of an embedded figure: whether it loads by itself or when a person asks for it. Default `auto`. */
+  reveal?: "auto" | "interaction";
+}
 
 export type ErrorCode =
   | "syntax"
@@ -520,8 +542,10 @@ export type ErrorCode =
   | "self-intersection"
   | "contact"
   | "not-in-module"
+  | "link"
   | "trap"
   | "closed"
+  | "no-worker"
   | "failed";
 
 export class DirectrixError extends Error {

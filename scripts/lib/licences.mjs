@@ -1,8 +1,9 @@
 /** The licences of everything that the page carries: crates compiled into the module, and packages bundled by Vite. */
 import { execFile } from "node:child_process";
 import { readFile, readdir } from "node:fs/promises";
-import { dirname, join } from "node:path";
+import { dirname, join, normalize } from "node:path";
 import { promisify } from "node:util";
+import { origins } from "./copies.mjs";
 import { root } from "./paths.mjs";
 
 /**
@@ -49,7 +50,7 @@ async function cargo(options) {
 /**
  * The npm packages that files of a bundle come from.
  *
- * @param {Iterable<string>} files paths, of which those below `node_modules` count
+ * @param {Iterable<string>} files paths, of which those below `node_modules` and their copies in the API count
  * @returns {Promise<Part[]>}
  */
 export async function npmPackages(files) {
@@ -64,6 +65,8 @@ export async function npmPackages(files) {
 
 /** @param {string} file */
 function packageFolder(file) {
+  const origin = origins.get(normalize(file));
+  if (origin !== undefined) return origin;
   const found = /^(.*[\\/]node_modules[\\/](?:@[^\\/]+[\\/])?[^\\/]+)[\\/]/.exec(file);
   return found ? found[1] : null;
 }

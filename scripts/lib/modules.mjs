@@ -2,6 +2,7 @@
 import { copyFile, mkdir, readdir, rm } from "node:fs/promises";
 import { homedir } from "node:os";
 import { join } from "node:path";
+import { copies } from "./copies.mjs";
 import { pkg, root, target, work } from "./paths.mjs";
 import { packages, versionOf } from "./packages.mjs";
 import { CommandError, run } from "./run.mjs";
@@ -43,11 +44,11 @@ const started = new Map();
  * @returns {Step[]}
  */
 export function moduleSteps({ optimised = false } = {}) {
-  return [packages, wasmLibrary, helper, ...modules.map(compile), ...modules.map((module) => bind(module, optimised))];
+  return [packages, copies, wasmLibrary, helper, ...modules.map(compile), ...modules.map((module) => bind(module, optimised))];
 }
 
 /** The names of the steps after which the modules are ready. */
-export const modulesReady = modules.map((module) => `bind ${module.name}`);
+export const modulesReady = [copies.name, ...modules.map((module) => `bind ${module.name}`)];
 
 /**
  * The build helper.

@@ -1,4 +1,5 @@
-/** The page, built by Vite into `dist`. */
+/** The page, and what other pages embed, built by Vite into `dist`. */
+import { cp } from "node:fs/promises";
 import { join } from "node:path";
 import { modulesReady } from "./modules.mjs";
 import { dist, root } from "./paths.mjs";
@@ -8,7 +9,7 @@ import { thumbnails } from "./thumbnails.mjs";
 
 /** @type {import("./stamp.mjs").Made} */
 const made = {
-  from: ["www", "js", "vite.config.js", "package.json", "package-lock.json"].map((path) => join(root, path)),
+  from: ["www", "js", "vite.config.js", "vite.embed.config.js", "package.json", "package-lock.json"].map((path) => join(root, path)),
   to: [dist],
 };
 
@@ -24,6 +25,8 @@ const page = {
     const before = await inputs(made);
     await unmark("page");
     await run(process.execPath, [vite, "build", "--logLevel", "warn"], { log });
+    await run(process.execPath, [vite, "build", "--config", "vite.embed.config.js", "--logLevel", "warn"], { log });
+    await cp(join(root, "www/presets"), join(dist, "presets"), { recursive: true });
     await mark("page", made, before);
   },
 };

@@ -5,15 +5,12 @@ use super::error::to_js;
 use super::json::parse;
 use super::painting::Painting;
 use super::results::{MatchResult, ViewResult, cells, isolines, probe, sets, stages, steps, to_value};
-use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Solution, Solve};
+use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Memory, Solution, Solve};
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure, to_svg};
 use glam::DVec2;
-use std::collections::VecDeque;
 use std::rc::Rc;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-/// Solved documents that are kept: several figures of a page take turns.
-const KEPT: usize = 4;
 /// Most rulings between two lines that stages are asked for.
 const MOST_REFINED: usize = 64;
 
@@ -21,7 +18,7 @@ const MOST_REFINED: usize = 64;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Engine {
-    solved: VecDeque<(String, Rc<Solution>)>,
+    solved: Memory,
     /// The document being solved, and whether coarsely.
     job: Option<(String, bool, Solve)>,
 }
@@ -151,17 +148,11 @@ impl Engine {
 
     fn solve_to(&mut self, text: &str, coarse: bool) -> Result<Rc<Solution>, JsValue> {
         loop {
-            if let Some(solution) = self.known(text, coarse) {
-                return Ok(Rc::clone(solution));
+            if let Some(solution) = self.solved.find(text, coarse) {
+                return Ok(solution);
             }
             self.advance(text, coarse, &mut || true).map_err(|e| to_js(&e))?;
         }
-    }
-
-    /// The solution of a document if there is one, refined where that may not be left out.
-    fn known(&self, text: &str, coarse: bool) -> Option<&Rc<Solution>> {
-        let is_it = |known: &str, solution: &Solution| known == text && (coarse || !solution.is_coarse);
-        self.solved.iter().find_map(|(known, solution)| is_it(known, solution).then_some(solution))
     }
 
     fn advance(
@@ -170,7 +161,7 @@ impl Engine {
         coarse: bool,
         may_go_on: &mut dyn FnMut() -> bool,
     ) -> Result<f64, DocumentError> {
-        if self.known(text, coarse).is_some() {
+        if self.solved.find(text, coarse).is_some() {
             return Ok(1.0);
         }
         let mut job = match self.job.take() {
@@ -183,9 +174,7 @@ impl Engine {
             self.job = Some((text.to_owned(), coarse, job));
             return Ok(progress);
         };
-        self.solved.retain(|(known, _)| known != text);
-        self.solved.truncate(KEPT - 1);
-        self.solved.push_front((text.to_owned(), Rc::new(solution)));
+        self.solved.keep(text, solution);
         Ok(1.0)
     }
 }

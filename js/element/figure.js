@@ -1,0 +1,446 @@
+/**
+ * The element `<directrix-figure>`: its attributes, its life on the page, and its parts. See docs/embedding.md.
+ *
+ * @import { CurvesDocument, DocumentInput, LayerName } from "../directrix.js"
+ */
+import { DirectrixError } from "../errors.js";
+import { attribute, write } from "./dom.js";
+import { createFrame } from "./frame.js";
+import { Handles } from "./handles.js";
+import { release, use } from "./kernel.js";
+import { Morph } from "./morph.js";
+import { Paper } from "./paper.js";
+import { Scene } from "./scene.js";
+import { fetchText, presetAddress } from "./source.js";
+import { sheetOf } from "./style.js";
+import { themeAround, watchTheme } from "./theme.js";
+import { words } from "./words.js";
+
+/** How far from the viewport a figure begins to load. */
+const NEAR = "600px";
+/** Milliseconds after which work is shown as running, and told as `progress`. */
+const SLOW = 200;
+/** Milliseconds after a change until the link has it as well. */
+const SETTLED = 300;
+/** Text shown at most of a message. */
+const LONGEST = 400;
+
+/** The values of attributes that have a fixed choice, the default first. */
+const CHOICES = {
+  controls: ["minimal", "full", "none"],
+  theme: ["auto", "light", "dark"],
+  reveal: ["auto", "interaction"],
+  view: ["figure", "steps", "compare"],
+};
+
+/** A module with one instruction of SIMD. */
+const SIMD = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+/** A module may be imported where there is no page, as generators of sites do; an element is not made there. */
+const Base = globalThis.HTMLElement ?? /** @type {typeof HTMLElement} */ (/** @type {unknown} */ (class {}));
+
+export class DirectrixFigure extends Base {
+  static observedAttributes = ["preset", "src", "presets", "controls", "theme", "reveal", "alt", "poster", "editor", "view", "step"];
+  /** The folder of the presets, for figures without the attribute `presets`. @type {string | URL} */
+  static presets = "./presets/";
+  /** The editor, for figures without the attribute `editor`. @type {string | URL} */
+  static editor = "./index.html";
+
+  #frame;
+  #scene;
+  #handles;
+  #morph;
+  #paper;
+  /** The document set by the property. @type {DocumentInput | null} */
+  #given = null;
+  #isStale = true;
+  #isNear = false;
+  #isSeen = false;
+  #isRevealed = false;
+  #state = "waiting";
+  /** @type {AbortController | null} */
+  #fetching = null;
+  /** Ends what the figure listens to while it is on a page. @type {(() => void)[]} */
+  #endings = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #linking;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #slow;
+  #isSlow = false;
+
+  constructor() {
+    super();
+    this.#frame = createFrame({
+      reveal: () => this.#reveal(),
+      layer: (name, isOn) => this.#setLayer(name, isOn),
+    });
+    const { canvas, picture, bar, poster, paper } = this.#frame;
+    this.#scene = new Scene({
+      canvas,
+      urgency: () => (this.#isSeen ? 0 : 1),
+      onsolved: (kind) => this.#solved(kind),
+      onpaint: () => this.#renderHandles(),
+      onprogress: (progress) => this.#progressed(progress),
+      onproblem: (kind, error) => this.#failed(kind, error),
+    });
+    this.#handles = new Handles({
+      state: () => (this.#hasHandles && this.#scene.document ? { document: this.#scene.document, view: this.#scene.view, size: this.#scene.size } : null),
+      change: (document, isMoving) => this.#edit(document, isMoving),
+      say: (text) => this.#say(text),
+    });
+    this.#morph = new Morph({
+      s: () => this.#scene.s,
+      stages: () => this.#scene.stages,
+      change: (s) => this.#setS(s),
+      isSeen: () => this.#isShownNow,
+      say: (text) => this.#say(text),
+    });
+    this.#paper = new Paper(this.#scene, paper);
+    picture.append(this.#handles.element);
+    bar.prepend(...this.#morph.elements);
+    poster.addEventListener("error", () => (poster.hidden = true));
+    const root = this.attachShadow({ mode: "open" });
+    root.append(this.#frame.element);
+  }
+
+  /** The document with the edits and the place that the person has chosen; `null` before the first one stands. */
+  get document() {
+    return structuredClone(this.#scene.state);
+  }
+
+  set document(given) {
+    this.#given = given;
+    this.#reload();
+  }
+
+  /** Place of the current in-between curve, 0 to 1. */
+  get s() {
+    return this.#scene.s;
+  }
+
+  set s(s) {
+    if (typeof s !== "number" || !(s >= 0 && s <= 1)) throw new RangeError(`s: ${String(s)} was found; expected a number from 0 to 1`);
+    this.#morph.stop();
+    this.#setS(s);
+  }
+
+  /** What the matching is worth; `null` before the first one stands. */
+  get result() {
+    return this.#scene.result;
+  }
+
+  /** Where the figure is computed; `null` before that is known. */
+  get runsIn() {
+    return this.#scene.runsIn;
+  }
+
+  /** Plays from one curve to the other and back; with reduced motion nothing plays. */
+  play() {
+    this.#morph.play();
+  }
+
+  pause() {
+    this.#morph.stop();
+  }
+
+  connectedCallback() {
+    for (const name of ["document", "s"]) this.#upgrade(name);
+    const root = /** @type {ShadowRoot} */ (this.shadowRoot);
+    root.adoptedStyleSheets = [sheetOf(this.ownerDocument)];
+    use();
+    this.#observe();
+    this.#render();
+    this.#load();
+    this.#scene.refresh();
+  }
+
+  disconnectedCallback() {
+    for (const end of this.#endings.splice(0)) end();
+    this.#fetching?.abort();
+    if (this.#state === "loading") [this.#isStale, this.#state] = [true, this.#scene.document ? "shown" : "waiting"];
+    this.#scene.cancel();
+    this.#handles.reset();
+    this.#morph.stop();
+    this.#paper.cancel();
+    clearTimeout(this.#linking);
+    clearTimeout(this.#slow);
+    [this.#isNear, this.#isSeen] = [false, false];
+    release();
+  }
+
+  /** @param {string} name @param {string | null} before @param {string | null} now */
+  attributeChangedCallback(name, before, now) {
+    if (before === now) return;
+    if (name === "preset" || name === "src" || name === "presets") {
+      this.#given = null;
+      this.#reload();
+    }
+    if (this.isConnected) this.#render();
+  }
+
+  get #hasHandles() {
+    return this.#choice("controls") === "full";
+  }
+
+  /** Whether anybody can see it. */
+  get #isShownNow() {
+    return this.#isSeen && document.visibilityState === "visible";
+  }
+
+  /** @param {keyof typeof CHOICES} name */
+  #choice(name) {
+    const value = this.getAttribute(name) ?? "";
+    return CHOICES[name].includes(value) ? value : CHOICES[name][0];
+  }
+
+  /** A property that was set before the element was defined hides the accessor. @param {string} name */
+  #upgrade(name) {
+    if (!Object.hasOwn(this, name)) return;
+    const self = /** @type {any} */ (this);
+    const value = self[name];
+    delete self[name];
+    self[name] = value;
+  }
+
+  #observe() {
+    const near = new IntersectionObserver((entries) => {
+      this.#isNear = entries.at(-1)?.isIntersecting ?? false;
+      this.#load();
+    }, { rootMargin: NEAR });
+    const seen = new IntersectionObserver((entries) => {
+      this.#isSeen = entries.at(-1)?.isIntersecting ?? false;
+      this.#morph.resume();
+    });
+    const resize = new ResizeObserver(([entry]) => {
+      if (!entry) return;
+      const { width, height } = entry.contentRect;
+      this.#scene.resize({ width: Math.round(width), height: Math.round(height) });
+      this.#renderHandles();
+    });
+    near.observe(this);
+    seen.observe(this);
+    resize.observe(this.#frame.picture);
+    const resume = () => this.#morph.resume();
+    document.addEventListener("visibilitychange", resume);
+    this.#endings.push(
+      () => near.disconnect(),
+      () => seen.disconnect(),
+      () => resize.disconnect(),
+      () => document.removeEventListener("visibilitychange", resume),
+      watchTheme(() => this.#paint()),
+    );
+  }
+
+  /** Another document is wanted. */
+  #reload() {
+    this.#fetching?.abort();
+    this.#isStale = true;
+    this.#load();
+  }
+
+  /** Loads what is wanted, once somebody is about to see it. */
+  #load() {
+    const isAsked = this.#isRevealed || this.#choice("reveal") === "auto";
+    const { src, preset } = this.#source;
+    const isWanted = this.#given !== null || src !== null || preset !== null;
+    if (!this.#isStale || !isWanted || !this.isConnected || !this.#isNear || !isAsked) return;
+    this.#isStale = false;
+    if (typeof WebAssembly !== "object" || !WebAssembly.validate(SIMD)) {
+      this.#failed("kernel", new DirectrixError("no-wasm", "", words.errors.noWasm));
+      return;
+    }
+    this.#become("loading");
+    const fetching = new AbortController();
+    this.#fetching = fetching;
+    this.#begin();
+    this.#read(fetching.signal).then(
+      (given) => {
+        if (!fetching.signal.aborted) this.#scene.open(given);
+      },
+    ).catch((error) => {
+      if (!fetching.signal.aborted) this.#failed("document", error);
+    });
+  }
+
+  get #source() {
+    return { src: this.getAttribute("src"), preset: this.getAttribute("preset") };
+  }
+
+  /** @param {AbortSignal} signal @returns {Promise<DocumentInput>} */
+  async #read(signal) {
+    if (this.#given !== null) return this.#given;
+    const { src, preset } = this.#source;
+    if (src !== null) {
+      if (!URL.canParse(src, document.baseURI)) throw new DirectrixError("range", "src", words.errors.address(src));
+      return fetchText(new URL(src, document.baseURI), "src", signal);
+    }
+    const folder = new URL(this.getAttribute("presets") ?? DirectrixFigure.presets, document.baseURI);
+    return fetchText(presetAddress(preset ?? "", folder), "preset", signal);
+  }
+
+  #reveal() {
+    this.#isRevealed = true;
+    this.#render();
+    this.#load();
+  }
+
+  /** @param {CurvesDocument} document @param {boolean} isMoving */
+  #edit(document, isMoving) {
+    this.#scene.edit(document, isMoving);
+    this.#renderHandles();
+    this.#begin();
+  }
+
+  /** @param {number} s */
+  #setS(s) {
+    if (s === this.#scene.s) return;
+    this.#scene.s = s;
+    this.#morph.render();
+    this.#tell("change", { reason: "s", s });
+    this.#linkLater();
+  }
+
+  /** @param {LayerName} name @param {boolean} isOn */
+  #setLayer(name, isOn) {
+    const others = this.#scene.shownLayers.filter((each) => each !== name);
+    this.#scene.layers = isOn ? [...others, name] : others;
+    this.#scene.refresh();
+    this.#tell("change", { reason: "layers" });
+    this.#linkLater();
+  }
+
+  /** @param {"load" | "edit"} kind */
+  #solved(kind) {
+    this.#finish();
+    this.#frame.problem.hidden = true;
+    if (kind === "load") {
+      this.#handles.reset();
+      this.#morph.stop();
+    }
+    const hadFocus = this.#frame.revealed.contains(this.shadowRoot?.activeElement ?? null);
+    this.#become("shown");
+    if (hadFocus) this.#frame.bar.querySelector("button")?.focus({ preventScroll: true });
+    this.#render();
+    this.#linkLater();
+    this.#paper.renew();
+    if (kind === "load") this.#tell("load", { runsIn: this.runsIn });
+    else this.#tell("change", { reason: "document" });
+  }
+
+  /**
+   * @param {"document" | "edit" | "kernel"} kind
+   * @param {unknown} error
+   */
+  #failed(kind, error) {
+    this.#finish();
+    const code = error instanceof DirectrixError ? error.code : "failed";
+    const path = error instanceof DirectrixError ? error.path : "";
+    const message = error instanceof Error ? error.message : String(error);
+    const where = words.errors.at(path, message);
+    const text = code === "no-wasm" ? message : kind === "kernel" ? words.errors.blocked(where) : words.errors[kind](where);
+    this.#frame.problem.hidden = false;
+    write(this.#frame.problem, text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text);
+    this.#become(this.#scene.document ? "shown" : "failed");
+    this.#render();
+    this.dispatchEvent(new CustomEvent("error", { detail: { code, path, message } }));
+  }
+
+  /** @param {number} progress */
+  #progressed(progress) {
+    if (progress >= 1) this.#finish();
+    this.#frame.working.style.transform = `scaleX(${progress})`;
+    if (this.#isSlow) this.dispatchEvent(new CustomEvent("progress", { detail: { progress } }));
+  }
+
+  /** Work has begun that may take long. */
+  #begin() {
+    clearTimeout(this.#slow);
+    this.#slow = setTimeout(() => {
+      this.#isSlow = true;
+      this.#frame.working.classList.add("shown");
+      this.dispatchEvent(new CustomEvent("progress", { detail: { progress: 0 } }));
+    }, SLOW);
+  }
+
+  #finish() {
+    clearTimeout(this.#slow);
+    this.#isSlow = false;
+    this.#frame.working.classList.remove("shown");
+  }
+
+  /** @param {string} state */
+  #become(state) {
+    this.#state = state === "loading" && this.#scene.document ? "shown" : state;
+  }
+
+  /** @param {string} type @param {object} detail */
+  #tell(type, detail) {
+    const { document, s, result } = this;
+    this.dispatchEvent(new CustomEvent(type, { detail: { document, s, result, ...detail } }));
+  }
+
+  /** @param {string} text */
+  #say(text) {
+    this.#frame.say(text);
+  }
+
+  /** Brings the frame up to date, and the picture with it. */
+  #render() {
+    const isRevealed = this.#isRevealed || this.#choice("reveal") === "auto";
+    this.#frame.render({
+      state: this.#state,
+      controls: this.#choice("controls"),
+      title: this.getAttribute("alt") ?? this.#scene.document?.title ?? words.figure,
+      result: this.#scene.result,
+      poster: this.getAttribute("poster"),
+      isRevealed,
+      hasLink: this.getAttribute("editor") !== "none",
+      layers: this.#scene.shownLayers,
+    });
+    this.#scene.hasHandles = this.#hasHandles;
+    this.#morph.render();
+    this.#paint();
+    this.#linkLater();
+    if (isRevealed) this.#load();
+  }
+
+  /** Paints in the theme of the place. */
+  #paint() {
+    const chosen = this.#choice("theme");
+    const theme = chosen === "auto" ? themeAround(this, this.#frame.ground) : chosen === "dark" ? "dark" : "light";
+    attribute(this.#frame.inner, "data-theme", theme);
+    if (this.#scene.theme !== theme) {
+      this.#scene.theme = theme;
+      this.#scene.refresh();
+    }
+    this.#renderHandles();
+  }
+
+  #renderHandles() {
+    this.#handles.render();
+  }
+
+  /** The link leads to what is seen; it is written when that has come to rest. */
+  #linkLater() {
+    clearTimeout(this.#linking);
+    if (!this.isConnected) return;
+    this.#linking = setTimeout(() => void this.#link(), SETTLED);
+  }
+
+  async #link() {
+    const state = this.#scene.state;
+    if (!state) return;
+    const { writeLink } = await import("../link.js");
+    const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
+    const view = this.#choice("view");
+    const step = Number(this.getAttribute("step"));
+    editor.hash = writeLink({
+      document: state,
+      ...(view === "figure" ? {} : { view: /** @type {"steps" | "compare"} */ (view) }),
+      ...(view === "steps" && Number.isInteger(step) && step >= 1 ? { step } : {}),
+    });
+    attribute(this.#frame.open, "href", editor.href);
+  }
+}

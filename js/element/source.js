@@ -1,0 +1,43 @@
+/** Documents from elsewhere: a preset by name, or any address. */
+import { DirectrixError } from "../errors.js";
+import { words } from "./words.js";
+
+/** Bytes that a document may have. */
+const LARGEST = 4 * 1024 * 1024;
+
+/**
+ * The address of a preset.
+ *
+ * @param {string} name
+ * @param {string | URL} folder
+ */
+export function presetAddress(name, folder) {
+  if (!/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name)) throw new DirectrixError("range", "preset", words.errors.preset(name));
+  return new URL(`${name}.json`, folder);
+}
+
+/**
+ * The text at an address.
+ *
+ * @param {URL} address
+ * @param {string} path what names the address: `preset` or `src`
+ * @param {AbortSignal} signal
+ * @returns {Promise<string>}
+ * @throws {DirectrixError} with the code `unreachable` or `limit`
+ */
+export async function fetchText(address, path, signal) {
+  const response = await fetch(address, { signal }).catch((error) => {
+    if (signal.aborted) throw error;
+    throw new DirectrixError("unreachable", path, words.errors.unreachable);
+  });
+  if (!response.ok) throw new DirectrixError("unreachable", path, words.errors.status(response.status));
+  const reader = response.body?.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  for (let part = await reader?.read(); part && !part.done; part = await reader?.read()) {
+    text += part.value;
+    if (text.length <= LARGEST) continue;
+    await reader?.cancel();
+    throw new DirectrixError("limit", path, words.errors.tooLarge);
+  }
+  return text;
+}

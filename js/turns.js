@@ -1,0 +1,56 @@
+/** A call answered in turns: whoever has the thread hears of other things in between. */
+import { toText } from "./text.js";
+
+/** Milliseconds of work in one turn. */
+const BUDGET = 12;
+
+/** Functions that do not ask for the solution of a document. */
+const UNSOLVED = new Set(["defaults", "fit", "insertPoint", "readShapes", "fitCurve"]);
+
+/** Functions that ask for the greedy growth, whatever the method of the document. */
+const GREEDY = new Set(["steps", "sets"]);
+
+/** @typedef {{ name: import("./connect.js").Name, args: any[] }} Call */
+
+/**
+ * Solves the document of a call in steps; a picture is painted in steps as well.
+ *
+ * @param {import("./directrix.js").Directrix} dx
+ * @param {Call} call
+ * @param {object} host
+ * @param {() => boolean} host.isWanted whether the answer is still waited for; looked at between turns
+ * @param {(progress: number) => void} host.onprogress
+ * @returns {Promise<{ value: any, spent: number } | null>} the answer and the milliseconds that its turns took, `null` when it is no longer wanted
+ */
+export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
+  const [first, ...rest] = args;
+  if (UNSOLVED.has(name)) return { value: /** @type {any} */ (dx)[name](...args), spent: 0 };
+  const text = toText(first);
+  const job = dx.job(text, name === "paint" ? { paint: rest[0] } : name === "match" ? rest[0] : { greedy: GREEDY.has(name) });
+  let spent = 0;
+  const step = () => {
+    const start = performance.now();
+    const state = job.step(BUDGET);
+    spent += performance.now() - start;
+    return state;
+  };
+  let state = step();
+  for (; !state.done; state = step()) {
+    onprogress(state.progress);
+    await nextMessage();
+    if (!isWanted()) return null;
+  }
+  return { value: state.picture ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
+}
+
+/** @type {MessageChannel | undefined} */
+let channel;
+
+/** Lets the messages that wait be handled. */
+function nextMessage() {
+  const { port1, port2 } = (channel ??= new MessageChannel());
+  return new Promise((resolve) => {
+    port1.onmessage = resolve;
+    port2.postMessage(null);
+  });
+}
