@@ -3,25 +3,6 @@ import { flatPoints, shapesOf } from "./shapes.js";
 import { greedyText, setsOf, stepsOf } from "./steps.js";
 import { toText } from "./text.js";
 
-/** The functions that both `load()` and `connect()` offer. */
-export const FUNCTIONS = /** @type {const} */ ([
-  "match",
-  "stages",
-  "cells",
-  "isolines",
-  "probe",
-  "steps",
-  "sets",
-  "paint",
-  "svg",
-  "fit",
-  "insertPoint",
-  "defaults",
-  "explain",
-  "readShapes",
-  "fitCurve",
-]);
-
 /** Values of `options.format` of `readShapes`. */
 const FORMATS = ["auto", "svg", "points"];
 

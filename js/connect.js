@@ -1,5 +1,5 @@
-import { FUNCTIONS } from "./api.js";
 import { DirectrixError } from "./errors.js";
+import { FUNCTIONS } from "./functions.js";
 
 /** @typedef {(typeof FUNCTIONS)[number]} Name */
 /**

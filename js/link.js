@@ -20,6 +20,8 @@ const SLICE = 1024;
 /** The largest step of a link. */
 const LAST_STEP = 1_000_000;
 
+const CUT_OFF = "the text was cut off: its end is missing; copy the whole link";
+
 /** Longest piece of a link that a message quotes. */
 const QUOTED = 40;
 
@@ -60,7 +62,7 @@ export function encodeDocument(document) {
   if (bytes.length > LARGEST) {
     throw new DirectrixError("limit", "", `${bytes.length} bytes of JSON were found; a link holds at most ${LARGEST}`);
   }
-  return toBase64(deflateSync(bytes, { level: 9, mem: 9 }));
+  return toBase64(deflateSync(bytes, { level: 9 }));
 }
 
 /**
@@ -73,7 +75,7 @@ export function encodeDocument(document) {
 export function decodeDocument(text) {
   const document = parsed(inflated(fromBase64(text)), "s");
   if (typeof document !== "object" || document === null || !("directrix" in document)) {
-    throw wrong("s", "holds something else than a document of Directrix: the field directrix is missing");
+    throw wrong("s", "something else than a document of Directrix was found: it has no field directrix");
   }
   return /** @type {CurvesDocument} */ (document);
 }
@@ -91,7 +93,7 @@ export function writeLink({ document, ...rest }) {
     const value = values[/** @type {keyof typeof values} */ (key)];
     if (value === undefined) return [];
     if (key !== "s") read(String(value), key);
-    return [`${key}=${encodeURIComponent(value)}`];
+    return [`${key}=${escaped(String(value))}`];
   });
   oneSource(SOURCES.filter((key) => values[key] !== undefined));
   return `#${[`v=${VERSION}`, ...pairs].join("&")}`;
@@ -112,7 +114,7 @@ export function readLink(hash) {
   const known = Object.keys(KEYS).filter((key) => given.has(key));
   const version = given.get("v");
   if (version === undefined && (known.length === 0 || given.has("s"))) {
-    throw wrong("v", `is missing in "${quoted(text)}"; a link of Directrix begins with #v=${VERSION}`);
+    throw wrong("v", `"${quoted(text)}" was found; a link of Directrix begins with #v=${VERSION}`);
   }
   if (version !== undefined) checkVersion(version);
   oneSource(SOURCES.filter((key) => given.has(key)));
@@ -148,14 +150,14 @@ function split(text) {
 function checkVersion(version) {
   if (version === String(VERSION)) return;
   if (/^[1-9]\d{0,8}$/.test(version)) {
-    throw wrong("v", `${version} was written by a later release of Directrix; this one reads links of version ${VERSION}`);
+    throw wrong("v", `version ${version} was found, which a later release of Directrix writes; this one reads version ${VERSION}`);
   }
   throw wrong("v", `"${quoted(version)}" was found; expected ${VERSION}`);
 }
 
 /** @param {readonly string[]} sources those that are given */
 function oneSource(sources) {
-  if (sources.length > 1) throw wrong(sources[1] ?? "", `stands beside ${sources[0]}; a link leads to one document`);
+  if (sources.length > 1) throw wrong(sources[1] ?? "", `it stands beside ${sources[0]}; a link leads to one document`);
 }
 
 /**
@@ -192,7 +194,7 @@ function webAddress(text, key) {
   if (!address || !["http:", "https:"].includes(address.protocol)) {
     throw wrong(key, `"${quoted(text)}" was found; expected a whole address that begins with https:// or http://`);
   }
-  if (address.username || address.password) throw wrong(key, `holds a name or password for ${quoted(address.host)}; leave it out`);
+  if (address.username || address.password) throw wrong(key, `a name or password for ${quoted(address.host)} was found; expected an address without one`);
   return text;
 }
 
@@ -215,7 +217,7 @@ function parsed(text, path) {
   try {
     return JSON.parse(text);
   } catch (error) {
-    if (path === "s") throw wrong(path, "was changed on its way: what it holds is no JSON");
+    if (path === "s") throw wrong(path, "the text was changed on its way: what it holds is no JSON");
     throw new DirectrixError("syntax", path, error instanceof Error ? error.message : String(error));
   }
 }
@@ -231,7 +233,7 @@ function inflated(bytes) {
   let found = "";
   const stream = new Inflate((chunk, last) => {
     size += chunk.length;
-    if (size > LARGEST) throw wrong("s", `holds more than ${LARGEST / 1024 / 1024} MiB of JSON, which is the most that a link may hold`);
+    if (size > LARGEST) throw wrong("s", `more than ${LARGEST / 1024 / 1024} MiB of JSON was found, and a link holds at most that`);
     found += text.decode(chunk, { stream: !last });
     ended = last;
   });
@@ -240,9 +242,9 @@ function inflated(bytes) {
   } catch (error) {
     if (error instanceof DirectrixError) throw error;
     const cut = error instanceof Error && error.message === "unexpected EOF";
-    throw wrong("s", cut ? "was cut off: its end is missing; copy the whole link" : "was changed on its way: it cannot be unpacked");
+    throw wrong("s", cut ? CUT_OFF : "the text was changed on its way: it cannot be unpacked");
   }
-  if (!ended) throw wrong("s", "is empty");
+  if (!ended) throw wrong("s", "no text was found; copy the whole link");
   return found;
 }
 
@@ -259,11 +261,16 @@ function toBase64(bytes) {
  */
 function fromBase64(text) {
   // Deflate never makes a text noticeably longer, and base64 makes four characters of three bytes.
-  if (text.length > LARGEST * 1.5) throw wrong("s", `has ${text.length} characters, more than any document that a link may hold`);
+  if (text.length > LARGEST * 1.5) throw wrong("s", `${text.length} characters were found, more than any document that a link may hold`);
   const stranger = /[^A-Za-z0-9_-]/u.exec(text);
-  if (stranger) throw wrong("s", `was changed on its way: it holds the character "${stranger[0]}"`);
-  if (text.length % 4 === 1) throw wrong("s", "was cut off: a character is missing; copy the whole link");
+  if (stranger) throw wrong("s", `the text was changed on its way: it holds the character "${stranger[0]}"`);
+  if (text.length % 4 === 1) throw wrong("s", CUT_OFF);
   return Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (character) => character.charCodeAt(0));
+}
+
+/** Text in a hash, with what addresses are made of left readable. @param {string} text */
+function escaped(text) {
+  return encodeURIComponent(text).replace(/%(3A|2F|3F|3D|40|2C)/g, decodeURIComponent);
 }
 
 /** @param {string} text */

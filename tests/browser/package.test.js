@@ -66,7 +66,7 @@ test("it holds modules, types and licences, and nothing of the page or of the cr
   for (const path of ["js/index.js", "js/node.js", "js/worker.js", "js/directrix.d.ts", "LICENSE-MIT", "LICENSE-APACHE"]) {
     assert.ok(paths.includes(path), path);
   }
-  const strays = paths.filter((path) => !/^(js\/.*\.(js|ts|wasm|txt)|README\.md|package\.json|LICENSE-(MIT|APACHE))$/.test(path));
+  const strays = paths.filter((path) => !/^(js\/.*\.(js|ts|wasm|txt)|js\/presets\/[a-z-]+\.json|js\/pkg\/fflate\.LICENSE|README\.md|package\.json|LICENSE-(MIT|APACHE))$/.test(path));
   assert.deepEqual(strays, []);
 });
 
@@ -142,11 +142,40 @@ test("Vite builds a page with it, without settings for it", async () => {
   assert.equal(await titleOf(join(folder, "dist")), `${expected} ${expected}`);
 });
 
+/** What a page does with the element, once with a preset beside the package and once with a document. */
+const figurePage = (/** @type {string} */ name) => `import { DirectrixFigure } from ${JSON.stringify(name)};
+import { rings } from "./use.js";
+DirectrixFigure.presets = "/presets/";
+const [first, second] = document.querySelectorAll("directrix-figure");
+second.document = rings;
+const loaded = (figure) => new Promise((done) => figure.addEventListener("load", done));
+await Promise.all([first, second].map(loaded));
+document.title = [first.result.lines, second.result.lines, first.runsIn].join(" ");`;
+const figures = '<directrix-figure preset="amoeba" style="height: 200px"></directrix-figure><directrix-figure style="height: 200px"></directrix-figure>';
+
+test("a page uses the element with a plain script, and one built by Vite does", async () => {
+  const index = (/** @type {string} */ script) =>
+    `<!doctype html><title></title><link rel="icon" href="data:,">${figures}<script type="module" src="./${script}"></script>`;
+  const folder = join(project, "element");
+  const presets = { "amoeba.json": await readFile(join(project, "node_modules/directrix/js/presets/amoeba.json"), "utf8") };
+  await write({ "element.js": figurePage("./node_modules/directrix/js/element.js"), "index.html": index("element.js") });
+  await write(presets, join(project, "presets"));
+  assert.equal(await titleOf(project), "44 44 worker");
+  await write({ "use.js": use, "main.js": figurePage("directrix/element"), "index.html": index("main.js") }, folder);
+  await write(presets, join(folder, "public/presets"));
+  const { build } = await import("vite");
+  await build({ root: folder, configFile: false, logLevel: "error", build: { target: "es2022" }, worker: { format: "es" } });
+  assert.equal(await titleOf(join(folder, "dist")), "44 44 worker");
+});
+
 test("its types are found, and know a document from another object", async () => {
   await write({
-    "good.ts": `import { load, type CurvesDocument, DirectrixError } from "directrix";
-const document: CurvesDocument = { directrix: 1, kind: "curves", curves: [], matching: { method: "exact" } };
-try { const { ok, totals } = (await load()).match(document); console.log(ok, totals.lines?.eta); }
+    "good.ts": `import "directrix/element";
+import { load, type CurvesDocument, DirectrixError } from "directrix";
+const rings: CurvesDocument = { directrix: 1, kind: "curves", curves: [], matching: { method: "exact" } };
+const figure = document.createElement("directrix-figure");
+figure.document = rings;
+try { const { ok, totals } = (await load()).match(rings); console.log(ok, totals.lines?.eta); }
 catch (error) { if (error instanceof DirectrixError) console.log(error.path); }`,
     "bad.ts": `import type { CurvesDocument } from "directrix";
 export const document: CurvesDocument = { directrix: 1, kind: "curves", curves: [], matching: { method: "best" } };`,
@@ -155,7 +184,8 @@ export const document: CurvesDocument = { directrix: 1, kind: "curves", curves: 
   const check = (/** @type {string} */ file, /** @type {string} */ resolution) =>
     run(
       [
-        ...[process.execPath, tsc, "--noEmit", "--strict", "--target", "es2022", "--types", "", "--lib", "es2022,dom"],
+        process.execPath,
+        ...[tsc, "--noEmit", "--strict", "--target", "es2022", "--types", "", "--lib", "es2022,dom"],
         ...["--module", resolution === "bundler" ? "es2022" : resolution, "--moduleResolution", resolution, file],
       ],
       project,

@@ -35,7 +35,11 @@ test("packages are found from the files of a bundle, each once", async () => {
     join(modules, "katex/dist/katex.mjs"),
     join(modules, "@fontsource-variable/inter/files/inter-latin-wght-normal.woff2"),
     join(root, "www/src/main.js"),
+    join(root, "js/pkg/fflate.js"),
   ]);
-  assert.deepEqual(found.map(({ name }) => name).sort(), ["@fontsource-variable/inter", "katex"]);
+  assert.deepEqual(found.map(({ name }) => name).sort(), ["@fontsource-variable/inter", "fflate", "katex"]);
   assert.match(found.find(({ name }) => name === "katex")?.licence ?? "", /MIT/);
+  const { text = "" } = found.find(({ name }) => name === "fflate") ?? {};
+  assert.match(text, /MIT License[^]*Arjun Barrett/);
+  assert.equal((await readFile(join(root, "js/pkg/fflate.LICENSE"), "utf8")).trim(), text, "the copy carries it as well");
 });

@@ -82,6 +82,13 @@ export const COMMANDS = [
   { name: "open", topic: "document", text: strings.file.open, keys: ["Ctrl+O"] },
   { name: "save", topic: "document", text: strings.file.save, keys: ["Ctrl+S"] },
   { name: "save-copy", topic: "document", text: strings.file.saveCopy, keys: ["Ctrl+Shift+S"] },
+  {
+    name: "share",
+    topic: "document",
+    text: words.share,
+    keys: ["L"],
+    run: async (app) => (await import("./share/share-panel.js")).showShare(app),
+  },
   { name: "undo", topic: "document", text: words.undo, keys: ["Ctrl+Z"], run: ({ store }) => store.undo() },
   { name: "redo", topic: "document", text: words.redo, keys: ["Ctrl+Y", "Ctrl+Shift+Z"], run: ({ store }) => store.redo() },
   {

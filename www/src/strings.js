@@ -19,6 +19,7 @@ const commands = {
   redo: "Redo",
   shortcuts: "Keyboard shortcuts",
   about: "About Directrix",
+  share: "Share",
   figure: "Figure",
   steps: "Steps of the greedy growth",
   compare: "Compare methods",

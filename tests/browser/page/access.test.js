@@ -48,7 +48,7 @@ test("axe does find what is wrong", async (t) => {
 test("the order of Tab: bar, modes, reading, inner curve, outer curve, morph, grid, zoom, inspector", async (t) => {
   const page = await openPage(t);
   await page.waitForSelector("[data-segment=mode]");
-  await page.locator("[data-action=theme]").focus();
+  await page.locator("[data-action=share]").focus();
   const order = [];
   for (let i = 0; i < 12; i += 1) {
     await page.keyboard.press("Tab");

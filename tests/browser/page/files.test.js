@@ -197,8 +197,11 @@ for (const { name, init, says } of REFUSALS) {
     const page = await openPage(t, { init: `${PICKERS}${init}` });
     await nudge(page);
     await page.keyboard.press("Control+s");
-    await eventually(async () => assert.match(await status(page), /Could not save (mine|amoeba)\.json: /));
-    assert.match(await status(page), says);
+    await eventually(async () => {
+      const text = await status(page);
+      assert.match(text, /Could not save (mine|amoeba)\.json: /);
+      assert.match(text, says);
+    });
     assert.equal(await state(page), "Edited");
   });
 }

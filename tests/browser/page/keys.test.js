@@ -113,7 +113,7 @@ test("the keyboard reads ruling lines one after the other", async (t) => {
   await eventually(async () => assert.match((await reader.getAttribute("aria-valuetext")) ?? "", /^Line 1, s 0\.50/));
   await page.keyboard.press("ArrowRight");
   await eventually(async () => assert.match((await reader.getAttribute("aria-valuetext")) ?? "", /^Line 2, /));
-  assert.ok(await page.locator("#probe").isVisible());
+  await eventually(async () => assert.ok(await page.locator("#probe").isVisible()));
   await page.keyboard.press("Escape");
   await eventually(async () => assert.ok(await page.locator("#probe").isHidden()));
 });

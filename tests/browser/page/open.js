@@ -5,7 +5,8 @@
  * @import { BrowserContextOptions, Page } from "playwright-core"
  * @import { TestContext } from "node:test"
  *
- * @typedef {BrowserContextOptions & {init?: string}} Options `init`: a script that runs before the page's own
+ * @typedef {BrowserContextOptions & {init?: string, hash?: string}} Options `init`: a script that runs before the page's own; `hash`:
+ *   that of the address
  */
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
@@ -31,7 +32,7 @@ after(async () => {
  * @param {TestContext} t
  * @param {Options} [options]
  */
-export async function openPage(t, { init, ...context } = {}) {
+export async function openPage(t, { init, hash = "", ...context } = {}) {
   const page = await newPage(t, context, init);
   const complaints = watch(page);
   const [home] = server.url.split("/", 3).slice(2);
@@ -40,7 +41,7 @@ export async function openPage(t, { init, ...context } = {}) {
     if (protocol.startsWith("http") && host !== home) complaints.push(`a request to ${request.url()}`);
   });
   t.after(() => assert.deepEqual(complaints, []));
-  await page.goto(server.url);
+  await page.goto(`${server.url}${hash}`);
   await ready(page);
   return page;
 }
@@ -48,12 +49,12 @@ export async function openPage(t, { init, ...context } = {}) {
 /**
  * The page as it comes, for the cases in which it cannot work; its complaints are expected.
  * @param {TestContext} t
- * @param {{init?: string, headers?: Record<string, string>, context?: BrowserContextOptions}} options
+ * @param {{init?: string, hash?: string, headers?: Record<string, string>, context?: BrowserContextOptions}} options
  */
-export async function openRaw(t, { init, headers, context = {} }) {
+export async function openRaw(t, { init, hash = "", headers, context = {} }) {
   const page = await newPage(t, context, init);
   if (!headers) {
-    await page.goto(server.url);
+    await page.goto(`${server.url}${hash}`);
     return page;
   }
   const own = await serveDist({ headers });

@@ -2,7 +2,7 @@
  * What a document says about its own view: the page keeps it apart, so that zooming is no edit, and puts it back into files.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument } from "../types.js"
+ * @import { CurvesDocument, Size } from "../types.js"
  */
 import { FIRST_LAYERS, LAYERS } from "../state/app.js";
 
@@ -23,6 +23,15 @@ export function splitView(document) {
     ui: { layers: layers ?? firstLayers(), s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0 },
     place: view?.center && view.span ? { center: view.center, span: view.span } : null,
   };
+}
+
+/**
+ * The view of a place on a canvas; one that follows its size where no place is named.
+ * @param {ReturnType<typeof splitView>["place"]} place
+ * @param {Size} size
+ */
+export function viewAt(place, { width, height }) {
+  return { fitted: place === null, view: place && { center: place.center, scale: Math.min(width, height) / place.span } };
 }
 
 /** The layers shown where a document names none. */

@@ -15,7 +15,7 @@ import { problem } from "../painter.js";
 import { only, within } from "../state/selection.js";
 import { originOf } from "../state/store.js";
 import { strings } from "../strings.js";
-import { splitView } from "./document-view.js";
+import { splitView, viewAt } from "./document-view.js";
 
 /**
  * Opens a document that has not been checked.
@@ -33,13 +33,13 @@ export async function openDocument(app, raw, name, { origin, edited = false, for
     const { size } = app.ui.value;
     app.ui.set({
       ...ui,
+      step: 1,
       selection: within(only(1, 0), document),
       probe: null,
       witness: null,
       note: null,
       playing: false,
-      fitted: place === null,
-      view: place ? { center: place.center, scale: Math.min(size.width, size.height) / place.span } : null,
+      ...viewAt(place, size),
     });
     return true;
   } catch (error) {

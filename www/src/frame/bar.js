@@ -1,9 +1,9 @@
 /**
- * The bar above: mark, workbench, title, undo, redo, gallery, file, export, theme; on a phone one menu for most of it.
+ * The bar above: mark, workbench, title, undo, redo, gallery, file, export, theme, share; on a phone one menu for most of it.
  *
  * @import { App } from "../state/app.js"
  */
-import { commandText, commandTitle } from "../commands.js";
+import { commandText, commandTitle, runCommand } from "../commands.js";
 import { textField } from "../controls/text-field.js";
 import { find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
@@ -39,14 +39,22 @@ export function createBar(app) {
   const gallery = wordButton("gallery", words.gallery);
   const file = wordButton("file", words.file);
   const exporting = wordButton("export", words.export);
+  const share = h(
+    "button",
+    { type: "button", class: "outlined share", "data-action": "share", "aria-label": commandText(app, "share") },
+    icon("link"),
+    h("span", {}, commandText(app, "share")),
+  );
   const menu = iconButton("menu", icon("menu"), words.menu);
   const panel = iconButton("panel", icon("panel"), words.panel);
 
   undo.title = commandTitle(app, "undo");
   redo.title = commandTitle(app, "redo");
+  share.title = commandTitle(app, "share");
   undo.addEventListener("click", () => app.store.undo());
   redo.addEventListener("click", () => app.store.redo());
   theme.addEventListener("click", () => toggleTheme(app));
+  share.addEventListener("click", () => runCommand(app, "share"));
   gallery.addEventListener("click", () => void openGallery(app));
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
@@ -87,6 +95,7 @@ export function createBar(app) {
       file,
       exporting,
       theme,
+      share,
       panel,
     ),
     chooser.element,

@@ -15,6 +15,14 @@
 const PAUSE = 800;
 const VERSION = 2;
 
+/** The hash that the page has taken in. While it has another one, the entry belongs to a document that is not open yet. */
+let taken = "";
+
+/** The page has done what the hash says, or told that it cannot. */
+export function takeHash() {
+  taken = location.hash;
+}
+
 /** @returns {Session | null} */
 export function restore() {
   const state = history.state;
@@ -29,7 +37,8 @@ export function keep(app) {
   let timer;
   const write = () => {
     clearTimeout(timer);
-    const { mode, selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
+    if (location.hash !== taken) return;
+    const { mode, step, selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
@@ -37,7 +46,7 @@ export function keep(app) {
           document: app.store.document,
           edited: app.store.edited,
           kept: app.keeper.kept(),
-          ui: { mode, selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
+          ui: { mode, step, selection, view, fitted, fitScale, layers, s, isoMaterial, stageLabels, open, tab, snap },
         },
         "",
       );

@@ -15,20 +15,22 @@
  * @typedef {{run: string | null, before: CurvesDocument, after: CurvesDocument}} Entry
  *
  * @typedef {object} Origin Where the open document lives; one object for as long as it is open.
+ * @property {string} name of this opening, which a reload keeps
  * @property {string | null} id the name under which the browser's storage keeps it; null until it is kept
  * @property {string | null} stamp of what the storage has, as the page last wrote or read it
  * @property {string | null} file the name of the file it stands in
  * @property {import("../files/file-system.js").FileHandle | null} handle that file, where the page may write to it
  * @property {number | null} modified when the file was last changed, as far as the page knows, in milliseconds of the epoch
  */
+import { token } from "../storage/token.js";
 
 /**
  * The origin of a document that stands nowhere yet.
  * @param {Partial<Origin>} [known]
  * @returns {Origin}
  */
-export function originOf(known) {
-  return { id: null, stamp: null, file: null, handle: null, modified: null, ...known };
+export function originOf(known = {}) {
+  return { id: null, stamp: null, file: null, handle: null, modified: null, ...known, name: known.name ?? token() };
 }
 
 export class Store {

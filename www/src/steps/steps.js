@@ -34,8 +34,6 @@ const BEAT = 500;
 /** Distance of a press from a vertex, by pointer and by touch, CSS pixels. */
 const REACH = { mouse: 16, touch: 26 };
 
-/** Where the view stood when it was left, for the same document. @type {{document: CurvesDocument | null, at: number}} */
-let last = { document: null, at: 1 };
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["growth", "step", "candidates"], tab: "step" };
 
@@ -55,7 +53,7 @@ export function createSteps(app, { stage, aside, status }) {
   /** Why there are no steps. */
   let failure = "";
   let ms = 0;
-  let at = last.document === store.document ? last.at : 1;
+  let at = ui.value.step;
   let playing = false;
   let speed = 1;
   /** The vertex that the person chose, in place of the one of the step. @type {Vertex | null} */
@@ -148,8 +146,7 @@ export function createSteps(app, { stage, aside, status }) {
     prediction = prediction && steps ? begun(Math.min(at, steps.growth.length)) : null;
     const counts = steps?.samples.map(({ points }) => points.length) ?? [];
     if (chosen && chosen.vertex >= (counts[chosen.curve] ?? 0)) chosen = null;
-    at = Math.min(at, end());
-    last = { document, at };
+    at = Math.min(ui.value.step, end());
     render();
   }
 
@@ -199,8 +196,7 @@ export function createSteps(app, { stage, aside, status }) {
   function goTo(next) {
     if (!steps) return;
     at = Math.min(end(), Math.max(0, next));
-    last = { document: shown, at };
-    if (ui.value.note) ui.set({ note: null });
+    ui.set({ step: at, note: null });
     if (prediction) prediction = { ...prediction, aim: null, told: prediction.told?.at === at ? prediction.told : null };
     hovered = null;
     if (!playing) say();
@@ -276,6 +272,7 @@ export function createSteps(app, { stage, aside, status }) {
       chosen = null;
       prediction = begun(at);
       at += 1;
+      ui.set({ step: at });
       keyboard.focus({ preventScroll: true });
       say();
     }

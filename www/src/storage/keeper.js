@@ -15,6 +15,7 @@
  * @property {<T>(work: (desk: Desk) => Promise<T>) => Promise<T>} between runs work on the storage between two writes
  *
  * @typedef {object} Kept
+ * @property {string} [name] of the opening
  * @property {string | null} id
  * @property {string | null} file
  * @property {number | null} modified
@@ -144,6 +145,7 @@ export function createKeeper(app, former) {
 
   return {
     kept: () => ({
+      name: open.origin.name,
       id: open.origin.id,
       file: open.origin.file,
       modified: open.origin.modified,
