@@ -2,6 +2,7 @@ import { DirectrixError } from "./errors.js";
 import { FUNCTIONS } from "./functions.js";
 
 /** @typedef {(typeof FUNCTIONS)[number]} Name */
+/** @typedef {typeof Worker} WorkerClass */
 /**
  * @typedef {object} Pending
  * @property {Name} name
@@ -32,16 +33,6 @@ export async function connect(options = {}) {
 }
 
 /**
- * The ways to start the worker, in the order in which they are tried.
- *
- * @type {{ runsIn: "worker" | "blob worker", constructor: typeof Worker }[]}
- */
-const WAYS = [
-  { runsIn: "worker", constructor: globalThis.Worker },
-  { runsIn: "blob worker", constructor: /** @type {typeof Worker} */ (/** @type {unknown} */ (blobWorker)) },
-];
-
-/**
  * A client whose worker has started. A browser refuses a worker from another origin than the page's, but not one of the page's own that
  * imports it; a policy of the page may refuse either.
  *
@@ -49,38 +40,20 @@ const WAYS = [
  * @returns {Promise<Client>}
  */
 async function opened(options) {
-  /** @type {unknown} */
-  let refusal;
-  for (const way of WAYS) {
-    try {
-      const client = new Client(options, way);
-      await client.opened;
-      return client;
-    } catch (error) {
-      if (!isRefusal(error)) throw error;
-      refusal ??= error;
-    }
+  /** @param {WorkerClass} Worker @param {Client["runsIn"]} runsIn */
+  const open = async (Worker, runsIn) => {
+    const client = new Client(options, Worker, runsIn);
+    await client.opened;
+    return client;
+  };
+  try {
+    return await open(Worker, "worker");
+  } catch (error) {
+    // What went wrong inside a worker would go wrong in another as well.
+    if (error instanceof DirectrixError && error.code !== "no-worker") throw error;
+    const { BlobWorker } = await import("./blob-worker.js");
+    return open(BlobWorker, "blob worker");
   }
-  throw refusal;
-}
-
-/** Whether a worker could not be started at all; what went wrong inside it would go wrong in another as well. @param {unknown} error */
-const isRefusal = (error) => !(error instanceof DirectrixError) || error.code === "no-worker";
-
-/**
- * A worker of the page's own origin that imports a module from elsewhere.
- *
- * @param {URL} address
- * @param {WorkerOptions} options
- */
-function blobWorker(address, options) {
-  const source = new Blob([`import ${JSON.stringify(String(address))};`], { type: "text/javascript" });
-  const own = URL.createObjectURL(source);
-  const worker = new Worker(own, options);
-  const release = () => URL.revokeObjectURL(own);
-  worker.addEventListener("message", release, { once: true });
-  worker.addEventListener("error", release, { once: true });
-  return worker;
 }
 
 /** The worker, the calls that wait for it, and its restart after a trap. */
@@ -94,15 +67,16 @@ class Client {
   #worker;
   #isClosed = false;
   #options;
-  #makes;
+  #Worker;
 
   /**
    * @param {import("./directrix.js").ConnectOptions} options
-   * @param {(typeof WAYS)[number]} way
+   * @param {WorkerClass} Worker
+   * @param {"worker" | "blob worker"} runsIn
    */
-  constructor(options, { runsIn, constructor }) {
+  constructor(options, Worker, runsIn) {
     this.#options = options;
-    this.#makes = constructor;
+    this.#Worker = Worker;
     this.runsIn = runsIn;
     const { promise, resolve, reject } = withResolvers();
     /** @type {Promise<void>} */
@@ -146,7 +120,7 @@ class Client {
    */
   #start(ready, failed) {
     // Bundlers know this form, and put the worker's address into it whatever the constructor is.
-    const Worker = this.#makes;
+    const Worker = this.#Worker;
     const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "directrix" });
     let answers = false;
     const fail = (/** @type {unknown} */ error) => {

@@ -35,8 +35,8 @@ interface FigureState {
 /** A document stands for the first time. */
 export type LoadDetail = FigureState & { runsIn: DirectrixFigure["runsIn"] };
 
-/** What the person, or `s` and `play`, has changed: the place, a control point (with its result), or the layers. */
-export type ChangeDetail = FigureState & { reason: "s" | "document" | "layers" };
+/** What the person, or `s` and `play`, has changed: the place, a control point (with its result), the layers, or the step of the growth. */
+export type ChangeDetail = FigureState & { reason: "s" | "document" | "layers" | "step"; step?: number };
 
 /** Work that takes longer than 200 ms. */
 export interface ProgressDetail {

@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { moduleSteps } from "./lib/modules.mjs";
 import { pageSteps } from "./lib/page.mjs";
-import { dist, pkg, root } from "./lib/paths.mjs";
+import { dist, pkg } from "./lib/paths.mjs";
 import { build } from "./lib/steps.mjs";
 
 /**
@@ -23,28 +23,17 @@ const sum = (numbers) => numbers.reduce((total, each) => total + each, 0);
 /** @param {string} file of the built page */
 const gzippedFile = async (file) => gzipped(await readFile(join(dist, file)));
 
+/** What a figure of curves never asks for: the other module, and the page for iframes. */
+const others = /full|embed/;
+
 /**
- * The API as a bundler hands it to a page that shows a figure: every file but those of the module `full`, which a figure of
- * curves never asks for.
+ * What a figure of curves on somebody's page may transfer, its preset included, whichever way it runs.
  *
  * @returns {Promise<{ name: string, bytes: number }[]>}
  */
 async function figureFiles() {
-  const vite = await import("vite");
-  const built = await vite.build({
-    configFile: join(root, "vite.config.js"),
-    root,
-    logLevel: "warn",
-    build: {
-      write: false,
-      manifest: false,
-      rolldownOptions: { input: join(root, "js/index.js"), preserveEntrySignatures: "strict" },
-    },
-  });
-  if (!("output" in built)) throw new Error("Vite built more or less than one bundle");
-  return built.output
-    .filter((file) => !file.fileName.includes("directrix_full"))
-    .map((file) => ({ name: file.fileName, bytes: gzipped(file.type === "chunk" ? file.code : file.source) }));
+  const names = (await readdir(dist)).filter((name) => /^element|\.wasm$/.test(name) && !others.test(name));
+  return Promise.all([...names, "presets/amoeba.json"].map(async (name) => ({ name, bytes: await gzippedFile(name) })));
 }
 
 /**

@@ -25,7 +25,7 @@ const SHAPES = {
 export function icon(name) {
   const box = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  for (const [key, value] of Object.entries({ viewBox: "0 0 16 16", width: "16", height: "16", "aria-hidden": "true", class: `icon ${name}` })) {
+  for (const [key, value] of Object.entries({ viewBox: "0 0 16 16", width: "16", height: "16", "aria-hidden": "true", class: `icon icon-${name}` })) {
     box.setAttribute(key, value);
   }
   path.setAttribute("d", SHAPES[name]);

@@ -6,8 +6,9 @@
 import { DirectrixError } from "../errors.js";
 import { attribute, write } from "./dom.js";
 import { createFrame } from "./frame.js";
+import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
-import { release, use } from "./kernel.js";
+import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
 import { Paper } from "./paper.js";
 import { Scene } from "./scene.js";
@@ -22,12 +23,14 @@ const NEAR = "600px";
 const SLOW = 200;
 /** Milliseconds after a change until the link has it as well. */
 const SETTLED = 300;
+/** The largest step that a link may name. */
+const LAST_STEP = 1_000_000;
 /** Text shown at most of a message. */
 const LONGEST = 400;
 
 /** The values of attributes that have a fixed choice, the default first. */
 const CHOICES = {
-  controls: ["minimal", "full", "none"],
+  controls: ["full", "minimal", "none"],
   theme: ["auto", "light", "dark"],
   reveal: ["auto", "interaction"],
   view: ["figure", "steps", "compare"],
@@ -51,6 +54,9 @@ export class DirectrixFigure extends Base {
   #frame;
   #scene;
   #handles;
+  #growth;
+  /** Place in the growth, 0 to 1, where it was moved; else that of the attribute. @type {number | null} */
+  #progress = null;
   #morph;
   #paper;
   /** The document set by the property. @type {DocumentInput | null} */
@@ -59,6 +65,7 @@ export class DirectrixFigure extends Base {
   #isNear = false;
   #isSeen = false;
   #isRevealed = false;
+  #owesFocus = false;
   #state = "waiting";
   /** @type {AbortController | null} */
   #fetching = null;
@@ -81,7 +88,7 @@ export class DirectrixFigure extends Base {
       canvas,
       urgency: () => (this.#isSeen ? 0 : 1),
       onsolved: (kind) => this.#solved(kind),
-      onpaint: () => this.#renderHandles(),
+      onpaint: () => this.#renderOverlay(),
       onprogress: (progress) => this.#progressed(progress),
       onproblem: (kind, error) => this.#failed(kind, error),
     });
@@ -90,15 +97,17 @@ export class DirectrixFigure extends Base {
       change: (document, isMoving) => this.#edit(document, isMoving),
       say: (text) => this.#say(text),
     });
+    this.#growth = new Growth();
     this.#morph = new Morph({
-      s: () => this.#scene.s,
-      stages: () => this.#scene.stages,
-      change: (s) => this.#setS(s),
+      s: () => (this.#isGrowth ? this.#place : this.#scene.s),
+      stages: () => (this.#isGrowth ? Math.max(1, this.#steps) : this.#scene.stages),
+      isGrowth: () => this.#isGrowth,
+      change: (s) => (this.#isGrowth ? this.#setPlace(s) : this.#setS(s)),
       isSeen: () => this.#isShownNow,
       say: (text) => this.#say(text),
     });
     this.#paper = new Paper(this.#scene, paper);
-    picture.append(this.#handles.element);
+    picture.append(this.#growth.element, this.#handles.element);
     bar.prepend(...this.#morph.elements);
     poster.addEventListener("error", () => (poster.hidden = true));
     const root = this.attachShadow({ mode: "open" });
@@ -158,8 +167,9 @@ export class DirectrixFigure extends Base {
 
   disconnectedCallback() {
     for (const end of this.#endings.splice(0)) end();
-    this.#fetching?.abort();
-    if (this.#state === "loading") [this.#isStale, this.#state] = [true, this.#scene.document ? "shown" : "waiting"];
+    if (this.#fetching) this.#isStale = true;
+    this.#abort();
+    if (this.#state === "loading") this.#state = "waiting";
     this.#scene.cancel();
     this.#handles.reset();
     this.#morph.stop();
@@ -177,7 +187,41 @@ export class DirectrixFigure extends Base {
       this.#given = null;
       this.#reload();
     }
+    if (name === "step") this.#progress = null;
     if (this.isConnected) this.#render();
+  }
+
+  /** Whether the figure shows the growth step by step. */
+  get #isGrowth() {
+    return this.#view === "steps";
+  }
+
+  /** A step without a view is one of the growth, as in a link. */
+  get #view() {
+    return this.hasAttribute("step") && !this.hasAttribute("view") ? "steps" : this.#choice("view");
+  }
+
+  /** The number of the steps. */
+  get #steps() {
+    return this.#scene.steps?.lines.length ?? 0;
+  }
+
+  /** The place in the growth, 0 to 1. */
+  get #place() {
+    if (this.#progress !== null) return this.#progress;
+    const step = Number(this.getAttribute("step") ?? 1);
+    return this.#steps === 0 ? 0 : Math.min(1, Math.max(0, Math.trunc(step) || 0) / this.#steps);
+  }
+
+  /** The step that the link leads to: the one shown, or one of the attribute that comes after the growth, as the editor has them. */
+  get #linkedStep() {
+    const given = Number(this.getAttribute("step") ?? 1);
+    const isLater = this.#progress === null && Number.isInteger(given) && given > this.#steps && given <= LAST_STEP;
+    return isLater ? given : Math.max(1, this.#step);
+  }
+
+  get #step() {
+    return Math.round(this.#place * this.#steps);
   }
 
   get #hasHandles() {
@@ -217,7 +261,7 @@ export class DirectrixFigure extends Base {
       if (!entry) return;
       const { width, height } = entry.contentRect;
       this.#scene.resize({ width: Math.round(width), height: Math.round(height) });
-      this.#renderHandles();
+      this.#renderOverlay();
     });
     near.observe(this);
     seen.observe(this);
@@ -235,9 +279,14 @@ export class DirectrixFigure extends Base {
 
   /** Another document is wanted. */
   #reload() {
-    this.#fetching?.abort();
+    this.#abort();
     this.#isStale = true;
     this.#load();
+  }
+
+  #abort() {
+    this.#fetching?.abort();
+    this.#fetching = null;
   }
 
   /** Loads what is wanted, once somebody is about to see it. */
@@ -255,13 +304,22 @@ export class DirectrixFigure extends Base {
     const fetching = new AbortController();
     this.#fetching = fetching;
     this.#begin();
-    this.#read(fetching.signal).then(
-      (given) => {
-        if (!fetching.signal.aborted) this.#scene.open(given);
-      },
-    ).catch((error) => {
-      if (!fetching.signal.aborted) this.#failed("document", error);
-    });
+    warm();
+    void this.#open(fetching.signal);
+  }
+
+  /** @param {AbortSignal} signal */
+  async #open(signal) {
+    try {
+      const given = await this.#read(signal);
+      if (signal.aborted) return;
+      this.#fetching = null;
+      this.#scene.open(given);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#fetching = null;
+      this.#failed("document", error);
+    }
   }
 
   get #source() {
@@ -282,14 +340,24 @@ export class DirectrixFigure extends Base {
 
   #reveal() {
     this.#isRevealed = true;
+    this.#owesFocus = true;
     this.#render();
     this.#load();
+  }
+
+  /** The button that reveals a figure had the focus, and is gone: the next control gets it unless something else has. */
+  #handFocus() {
+    const { activeElement } = document;
+    if (this.#owesFocus && (!activeElement || activeElement === document.body)) {
+      this.#frame.bar.querySelector("button")?.focus({ preventScroll: true });
+    }
+    this.#owesFocus = false;
   }
 
   /** @param {CurvesDocument} document @param {boolean} isMoving */
   #edit(document, isMoving) {
     this.#scene.edit(document, isMoving);
-    this.#renderHandles();
+    this.#renderOverlay();
     this.#begin();
   }
 
@@ -299,6 +367,18 @@ export class DirectrixFigure extends Base {
     this.#scene.s = s;
     this.#morph.render();
     this.#tell("change", { reason: "s", s });
+    this.#linkLater();
+  }
+
+  /** @param {number} place in the growth */
+  #setPlace(place) {
+    const before = this.#step;
+    this.#progress = place;
+    this.#morph.render();
+    this.#renderOverlay();
+    if (this.#step === before) return;
+    this.#renderFrame();
+    this.#tell("change", { reason: "step", step: this.#step });
     this.#linkLater();
   }
 
@@ -318,11 +398,11 @@ export class DirectrixFigure extends Base {
     if (kind === "load") {
       this.#handles.reset();
       this.#morph.stop();
+      this.#progress = null;
     }
-    const hadFocus = this.#frame.revealed.contains(this.shadowRoot?.activeElement ?? null);
     this.#become("shown");
-    if (hadFocus) this.#frame.bar.querySelector("button")?.focus({ preventScroll: true });
     this.#render();
+    this.#handFocus();
     this.#linkLater();
     this.#paper.renew();
     if (kind === "load") this.#tell("load", { runsIn: this.runsIn });
@@ -388,6 +468,17 @@ export class DirectrixFigure extends Base {
 
   /** Brings the frame up to date, and the picture with it. */
   #render() {
+    const isRevealed = this.#renderFrame();
+    this.#scene.hasHandles = this.#hasHandles;
+    this.#scene.growsSteps = this.#isGrowth;
+    this.#morph.render();
+    this.#paint();
+    this.#linkLater();
+    if (isRevealed) this.#load();
+  }
+
+  /** Everything but picture and controls. @returns {boolean} whether the figure may be seen */
+  #renderFrame() {
     const isRevealed = this.#isRevealed || this.#choice("reveal") === "auto";
     this.#frame.render({
       state: this.#state,
@@ -398,12 +489,9 @@ export class DirectrixFigure extends Base {
       isRevealed,
       hasLink: this.getAttribute("editor") !== "none",
       layers: this.#scene.shownLayers,
+      growth: this.#isGrowth && this.#scene.steps ? { step: this.#step, steps: this.#steps } : null,
     });
-    this.#scene.hasHandles = this.#hasHandles;
-    this.#morph.render();
-    this.#paint();
-    this.#linkLater();
-    if (isRevealed) this.#load();
+    return isRevealed;
   }
 
   /** Paints in the theme of the place. */
@@ -415,10 +503,12 @@ export class DirectrixFigure extends Base {
       this.#scene.theme = theme;
       this.#scene.refresh();
     }
-    this.#renderHandles();
+    this.#renderOverlay();
   }
 
-  #renderHandles() {
+  #renderOverlay() {
+    const { steps, view, size } = this.#scene;
+    this.#growth.render({ steps: this.#isGrowth ? steps : null, step: this.#step, view, size });
     this.#handles.render();
   }
 
@@ -434,12 +524,11 @@ export class DirectrixFigure extends Base {
     if (!state) return;
     const { writeLink } = await import("../link.js");
     const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const view = this.#choice("view");
-    const step = Number(this.getAttribute("step"));
+    const view = /** @type {"figure" | "steps" | "compare"} */ (this.#view);
     editor.hash = writeLink({
       document: state,
-      ...(view === "figure" ? {} : { view: /** @type {"steps" | "compare"} */ (view) }),
-      ...(view === "steps" && Number.isInteger(step) && step >= 1 ? { step } : {}),
+      ...(view === "figure" ? {} : { view }),
+      ...(view === "steps" ? { step: this.#linkedStep } : {}),
     });
     attribute(this.#frame.open, "href", editor.href);
   }

@@ -13,6 +13,7 @@
  * @property {boolean} isRevealed
  * @property {boolean} hasLink
  * @property {LayerName[]} layers
+ * @property {{ step: number, steps: number } | null} growth the step that is shown of the greedy growth
  */
 import { attribute, h, icon, write } from "./dom.js";
 import { fixed, words } from "./words.js";
@@ -69,7 +70,7 @@ export function createFrame(actions) {
     render(look) {
       const { state, controls, title } = look;
       const isShown = state === "shown";
-      const text = look.result?.text ?? "";
+      const text = look.growth ? words.growth.step(look.growth.step, look.growth.steps) : (look.result?.text ?? "");
       attribute(inner, "data-state", state);
       attribute(inner, "data-controls", controls);
       attribute(inner, "aria-label", title);
@@ -86,10 +87,10 @@ export function createFrame(actions) {
         attribute(poster, "src", look.poster);
         poster.hidden = look.poster === null;
       }
-      const key = JSON.stringify(look.result);
+      const key = JSON.stringify([look.result, look.growth]);
       if (key === drawn) return;
       drawn = key;
-      result.replaceChildren(...(look.result ? certificate(look.result) : []));
+      result.replaceChildren(...(look.growth ? [text] : look.result ? certificate(look.result) : []));
     },
   };
 }
@@ -130,8 +131,8 @@ function createLayers(change) {
   return {
     element,
     /** @param {Look} look */
-    render({ controls, layers }) {
-      element.hidden = controls !== "full";
+    render({ controls, layers, growth }) {
+      element.hidden = controls !== "full" || growth !== null;
       for (const { name, input } of boxes) input.checked = layers.includes(/** @type {LayerName} */ (name));
     },
   };

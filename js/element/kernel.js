@@ -37,6 +37,12 @@ function started() {
   return kernel;
 }
 
+/** Starts the kernel while its first document is on its way. */
+export function warm() {
+  // A failure is told to the lane that asks for a turn.
+  started().catch(() => {});
+}
+
 /** @returns {Promise<Kernel>} */
 async function start() {
   try {

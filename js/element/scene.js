@@ -8,6 +8,7 @@
  */
 import { DirectrixError } from "../errors.js";
 import { toText } from "../text.js";
+import { stepsOf } from "./growth.js";
 import { Lane } from "./kernel.js";
 import { fitting, toScreen } from "./plane.js";
 import { summary } from "./result.js";
@@ -46,6 +47,8 @@ export class Scene {
   stages = 1;
   /** @type {FigureResult | null} */
   result = null;
+  /** The steps of the greedy growth, where they are shown and there. @type {import("./growth.js").Steps | null} */
+  steps = null;
   /** @type {View} */
   view = { center: [0, 0], scale: 1 };
   /** @type {Size} */
@@ -59,6 +62,9 @@ export class Scene {
   #lane;
   #s = FIRST_S;
   #hasHandles = false;
+  #growsSteps = false;
+  /** The document that the steps belong to. @type {CurvesDocument | null} */
+  #grown = null;
   /** A document that is to be shown next. @type {{ text: string, document: CurvesDocument } | null} */
   #incoming = null;
   /** @type {Match | null} */
@@ -100,6 +106,17 @@ export class Scene {
     if (hasHandles === this.#hasHandles) return;
     this.#hasHandles = hasHandles;
     this.#fit();
+    this.#changed();
+  }
+
+  /** Whether the growth is shown step by step, in place of what comes of it. */
+  get growsSteps() {
+    return this.#growsSteps;
+  }
+
+  set growsSteps(growsSteps) {
+    if (growsSteps === this.#growsSteps) return;
+    this.#growsSteps = growsSteps;
     this.#changed();
   }
 
@@ -178,9 +195,12 @@ export class Scene {
       height: Math.max(1, Math.round(height * ratio)),
       pixelRatio: ratio,
       view: this.view,
-      layers: /** @type {LayerName[]} */ ([...this.shownLayers, ...(this.#hasHandles ? ["controlPoints"] : [])]),
+      layers: /** @type {LayerName[]} */ ([
+        ...(this.#growsSteps ? ["samples"] : this.shownLayers),
+        ...(this.#hasHandles ? ["controlPoints"] : []),
+      ]),
       theme,
-      s: this.#s,
+      s: this.#growsSteps ? null : this.#s,
     };
   }
 
@@ -198,6 +218,7 @@ export class Scene {
     const { document } = this;
     if (!document) return;
     if (!this.#isAnswered(document, this.#isMoving)) await this.#solve(kernel, control, document);
+    if (this.#growsSteps && this.result && this.#grown !== document) await this.#grow(kernel, control, document);
     if (this.#match && this.#matched === document) await this.#paint(kernel, control, document);
     this.#host.onprogress(1);
   }
@@ -245,6 +266,14 @@ export class Scene {
       [this.#match, this.#matched, this.result] = [null, document, null];
       if (isNew) this.#host.onproblem("edit", error);
     }
+  }
+
+  /** @param {Kernel} kernel @param {import("../directrix.js").Control} control @param {CurvesDocument} document */
+  async #grow(kernel, control, document) {
+    const isWhole = document.curves.length === 2;
+    this.steps = isWhole ? stepsOf(await kernel.call("steps", [JSON.stringify(document)], { ...control })) : null;
+    this.#grown = document;
+    this.#news ??= "edit";
   }
 
   /** @param {CurvesDocument} document @param {Match} match */

@@ -35,6 +35,7 @@ const CSS = `
   display: flex;
   flex-direction: column;
   box-sizing: border-box;
+  width: 100%;
   aspect-ratio: 16 / 10;
   height: 100%;
   min-height: 120px;
@@ -83,10 +84,10 @@ button, .open {
 }
 button:focus-visible, .open:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 
-button.play { flex: none; width: var(--play); height: var(--play); border-radius: 50%; background: var(--text); color: var(--canvas); }
-button.play:hover { background: var(--text-2); }
+.play { flex: none; width: var(--play); height: var(--play); border-radius: 50%; background: var(--text); color: var(--canvas); }
+.play:hover { background: var(--text-2); }
 .icon { display: block; fill: currentColor; }
-.icon.check { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; }
+.icon-check { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linecap: round; stroke-linejoin: round; }
 
 .slider { position: relative; display: flex; flex: 1; align-items: center; min-width: 40px; height: var(--play); margin: 0 calc(var(--thumb) / 2); }
 .slider::before {
@@ -139,6 +140,12 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 }
 .layers input:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
 
+.growth { position: absolute; inset: 0; width: 100%; height: 100%; pointer-events: none; }
+.growth path { fill: none; stroke-linecap: round; }
+.growth .accepted { stroke: var(--text); stroke-width: 1.25; }
+.growth .halo { stroke: var(--canvas); stroke-width: 6; }
+.growth .winner { stroke: var(--accent); stroke-width: 3; }
+
 .handles { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
 .handle {
   --hit: 24px;
@@ -147,7 +154,7 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 }
 @media (pointer: coarse) { .handle { --hit: 44px; } }
 .handle::before {
-  content: ""; position: absolute; inset: calc(50% - 5.25px); border-radius: 50%; background: #ffffff; box-shadow: inset 0 0 0 1.5px var(--handle);
+  content: ""; position: absolute; inset: calc(50% - 5px); border-radius: 50%; background: #ffffff; box-shadow: inset 0 0 0 1.5px var(--handle);
 }
 .handle.square::before { border-radius: 2.5px; }
 .handle:hover::before { background: #eceafa; }
@@ -171,7 +178,7 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 
 @media (forced-colors: active) {
   .body, .problem { border: 1px solid CanvasText; }
-  button.play { border: 1px solid ButtonText; background: ButtonFace; color: ButtonText; }
+  .play { border: 1px solid ButtonText; background: ButtonFace; color: ButtonText; }
   .slider::before { background: CanvasText; }
   input::-webkit-slider-thumb { background: ButtonFace; border: 2px solid ButtonText; }
   .handle::before { forced-color-adjust: none; }

@@ -29,6 +29,10 @@ export const words = {
     slider: "Place between the curves",
     place: (/** @type {string} */ s) => `s ${s}`,
   },
+  growth: {
+    slider: "Steps of the greedy growth",
+    step: (/** @type {number} */ step, /** @type {number} */ steps) => `Step ${step} of ${steps} of the greedy growth`,
+  },
   handles: {
     help:
       "Arrow keys move the point, with Shift ten times as far, with Alt a tenth. Page up and page down go to the previous and the next " +

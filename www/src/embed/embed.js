@@ -15,6 +15,7 @@ const NARROW = 480;
 const NARROW_SHAPE = 1;
 
 const place = /** @type {HTMLElement} */ (document.querySelector("#place"));
+const heading = /** @type {HTMLElement} */ (document.querySelector("#title"));
 const figure = document.createElement("directrix-figure");
 
 /** Attributes that a link sets. */
@@ -22,7 +23,9 @@ const ATTRIBUTES = /** @type {const} */ (["view", "step", "controls", "theme", "
 
 function start() {
   figure.addEventListener("load", () => {
-    document.title = words.title(figure.document?.title ?? "");
+    const title = figure.document?.title;
+    if (title) heading.textContent = title;
+    document.title = words.title(heading.textContent ?? "");
     tellState();
   });
   figure.addEventListener("change", tellLater);
@@ -50,19 +53,19 @@ function open() {
     dress();
     if (given) {
       figure.document = given;
-      place.replaceChildren(figure);
+      put(figure);
     } else if (preset !== undefined) {
-      figure.setAttribute("preset", preset);
-      place.replaceChildren(figure);
+      show(preset);
+      put(figure);
     } else if (url !== undefined) {
       ask(url);
     } else {
       // The page around may send one.
-      place.replaceChildren(parent === window ? note(words.empty) : figure);
+      put(parent === window ? note(words.empty) : figure);
     }
   } catch (error) {
     const { code = "failed", path = "", message = String(error) } = /** @type {any} */ (error);
-    place.replaceChildren(note(words.refused, `${path}: ${message}`));
+    put(note(words.refused, path ? `${path}: ${message}` : message));
     tell("error", { code, path, message });
   }
 }
@@ -74,14 +77,25 @@ function ask(address) {
   button.textContent = words.load;
   button.addEventListener("click", () => {
     figure.setAttribute("src", address);
-    place.replaceChildren(figure);
+    put(figure);
   });
   const text = document.createElement("p");
   text.textContent = words.ask(address);
   const box = document.createElement("div");
   box.className = "asked";
   box.append(text, button);
-  place.replaceChildren(box);
+  put(box);
+}
+
+/** Puts an element where the figure is; one that is there stays as it is. @param {Element} element */
+function put(element) {
+  if (element.parentNode !== place) place.replaceChildren(element);
+}
+
+/** @param {string} preset */
+function show(preset) {
+  for (const name of ["src", "preset"]) figure.removeAttribute(name);
+  figure.setAttribute("preset", preset);
 }
 
 /** @param {...string} texts */
@@ -117,12 +131,9 @@ function fulfil({ document: given, preset, s, playing, ...attributes }) {
     if (value !== undefined) figure.setAttribute(name, value);
   }
   dress();
-  if (preset !== undefined) {
-    figure.removeAttribute("preset");
-    figure.setAttribute("preset", preset);
-  }
+  if (preset !== undefined) show(preset);
   if (given !== undefined) figure.document = given;
-  if ((preset !== undefined || given !== undefined) && !figure.isConnected) place.replaceChildren(figure);
+  if (preset !== undefined || given !== undefined) put(figure);
   const then = () => {
     if (s !== undefined) figure.s = s;
     if (playing !== undefined) playing ? figure.play() : figure.pause();
