@@ -4,7 +4,8 @@
  */
 import { defineConfig } from "vitepress";
 import { applicationFolder } from "../../scripts/lib/documentation.mjs";
-import { leadOutside } from "./links.mjs";
+import { code } from "./code.mjs";
+import { emptyHeads, leadOutside } from "./markdown.mjs";
 import { sidebar } from "./sidebar.mjs";
 
 export default defineConfig({
@@ -13,7 +14,7 @@ export default defineConfig({
   description: "Matching of closed curves, morphs and material blends: the guide, the formats and the figures behind them.",
   outDir: "../dist-docs",
   cacheDir: "../.build/vitepress",
-  markdown: { theme: { light: "min-light", dark: "min-dark" }, config: (md) => md.use(leadOutside) },
+  markdown: { theme: code, config: (md) => md.use(leadOutside).use(emptyHeads) },
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "directrix-figure" } } },
   vite: { publicDir: applicationFolder },
   transformHead: ({ siteData: { base } }) => [

@@ -1,4 +1,8 @@
-/** Links that lead out of `docs`: they work on the repository, and here as far as their aim is on the site. */
+/**
+ * What pages that are written for the repository need on the site.
+ *
+ * @typedef {import("vitepress").MarkdownRenderer} Markdown
+ */
 
 /** What of the repository is on the site, and where. @type {[RegExp, string][]} */
 const places = [
@@ -7,20 +11,17 @@ const places = [
 ];
 
 /**
- * A plugin of markdown-it: a link to a place that is not on the site leaves its words behind.
+ * Links that lead out of `docs`: one to a place that is not on the site leaves its words behind.
  *
- * @param {import("vitepress").MarkdownRenderer} md
+ * @param {Markdown} md
  */
 export function leadOutside(md) {
   md.core.ruler.push("lead-outside", ({ tokens }) => {
     for (const { children } of tokens) {
-      if (!children) continue;
       let isDropped = false;
-      for (const token of children) {
+      for (const token of children ?? []) {
         if (token.type === "link_open") isDropped = !lead(token);
-        if (isDropped && (token.type === "link_open" || token.type === "link_close")) token.hidden = true;
-        if (isDropped && token.type === "link_open") Object.assign(token, { type: "text", content: "", tag: "" });
-        if (isDropped && token.type === "link_close") Object.assign(token, { type: "text", content: "", tag: "" });
+        if (isDropped && ["link_open", "link_close"].includes(token.type)) Object.assign(token, { type: "text", tag: "", content: "" });
       }
     }
   });
@@ -38,4 +39,17 @@ function lead(link) {
   const place = places.find(([pattern]) => pattern.test(href));
   if (place) link.attrSet("href", href.replace(...place));
   return place !== undefined;
+}
+
+/**
+ * Tables need a head to be tables in Markdown: a head without words is none.
+ *
+ * @param {Markdown} md
+ */
+export function emptyHeads(md) {
+  md.core.ruler.push("empty-heads", ({ tokens }) => {
+    tokens.forEach((token, index) => {
+      if (token.type === "th_open" && tokens[index + 1].content === "") token.tag = tokens[index + 2].tag = "td";
+    });
+  });
 }
