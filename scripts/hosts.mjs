@@ -90,7 +90,7 @@ const hosts = [
     commands: (folder) => [npmInstall(folder)],
     async turn(page) {
       const figure = page.locator("directrix-figure");
-      await figure.locator("input").press("ArrowRight");
+      await figure.locator("input[type=range]").press("ArrowRight");
       assert.equal(await figure.evaluate((element) => /** @type {any} */ (element).s), 0.41, "the slides take the keys of the figure");
       await page.locator(".navigate-right").click();
     },
@@ -129,7 +129,7 @@ async function follow(page, place, title) {
     assert.ok(Date.now() < end, "the figure paints nothing");
   }
   // By its key: of places in scaled iframes the driver of the browser knows nothing.
-  const [application] = await Promise.all([page.waitForEvent("popup"), place.locator("a.open").press("Enter")]);
+  const [application] = await Promise.all([page.waitForEvent("popup"), place.locator("a.open[href]").press("Enter")]);
   await application.waitForSelector("html[data-ready=true]");
   await application.waitForFunction((expected) => document.title.includes(expected), title);
   await application.close();
