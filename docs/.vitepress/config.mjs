@@ -5,7 +5,7 @@
 import { defineConfig } from "vitepress";
 import { applicationFolder } from "../../scripts/lib/documentation.mjs";
 import { code } from "./code.mjs";
-import { emptyHeads, leadOutside } from "./markdown.mjs";
+import { emptyHeads, leadOutside, plainCode, titles } from "./markdown.mjs";
 import { sidebar } from "./sidebar.mjs";
 
 export default defineConfig({
@@ -14,7 +14,7 @@ export default defineConfig({
   description: "Matching of closed curves, morphs and material blends: the guide, the formats and the figures behind them.",
   outDir: "../dist-docs",
   cacheDir: "../.build/vitepress",
-  markdown: { theme: code, config: (md) => md.use(leadOutside).use(emptyHeads) },
+  markdown: { theme: code, config: (md) => md.use(leadOutside).use(titles).use(emptyHeads).use(plainCode) },
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "directrix-figure" } } },
   vite: { publicDir: applicationFolder },
   transformHead: ({ siteData: { base } }) => [

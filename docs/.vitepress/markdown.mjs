@@ -3,6 +3,7 @@
  *
  * @typedef {import("vitepress").MarkdownRenderer} Markdown
  */
+import { titleOf } from "./sidebar.mjs";
 
 /** What of the repository is on the site, and where. @type {[RegExp, string][]} */
 const places = [
@@ -51,5 +52,33 @@ export function emptyHeads(md) {
     tokens.forEach((token, index) => {
       if (token.type === "th_open" && tokens[index + 1].content === "") token.tag = tokens[index + 2].tag = "td";
     });
+  });
+}
+
+/**
+ * Braces in code are code, and no templates of Vue.
+ *
+ * @param {Markdown} md
+ */
+export function plainCode(md) {
+  md.core.ruler.push("plain-code", ({ tokens }) => {
+    for (const token of tokens.flatMap(({ children }) => children ?? [])) if (token.type === "code_inline") token.attrSet("v-pre", "");
+  });
+}
+
+/**
+ * A link that is called by the file of a page is called by its title.
+ *
+ * @param {Markdown} md
+ */
+export function titles(md) {
+  md.core.ruler.push("titles", ({ tokens }) => {
+    for (const { children } of tokens) {
+      for (const [index, token] of (children ?? []).entries()) {
+        const words = token.type === "link_open" ? children?.[index + 1] : undefined;
+        const file = /^(?:docs\/)?([\w-]+)\.md$/.exec(words?.content ?? "");
+        if (words && file && token.attrGet("href")?.startsWith(`${file[1]}.md`)) words.content = titleOf(file[1]);
+      }
+    }
   });
 }

@@ -11,7 +11,7 @@ const topics = [
 ];
 
 /** The first heading of a page. @param {string} name */
-function titleOf(name) {
+export function titleOf(name) {
   const heading = /^# (.+)$/m.exec(readFileSync(new URL(`${name}.md`, docs), "utf8"));
   if (!heading) throw new Error(`docs/${name}.md has no heading of the first level`);
   return heading[1].trim();
