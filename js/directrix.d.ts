@@ -98,6 +98,8 @@ export interface Diagnostic {
   lines?: number[];
   /** Indices of pins. */
   pins?: number[];
+  /** Of pins that cannot be kept: one meets a curve, two cross, or they leave no room for the lines beside or between them. */
+  reason?: "blocked" | "cross" | "no-room";
   parameter?: number;
   /** Degrees. */
   turn?: number;
@@ -122,7 +124,7 @@ export interface Line {
   visible: boolean;
 }
 
-/** A one-to-one line; at a gap of the method `greedy` that could not be verified, a line of the star matching. */
+/** A one-to-one line; at a gap where such lines could not be verified, a line of the matching between samples. */
 export interface Pair {
   /** Parameter on the first counter-clockwise curve. */
   u: number;
@@ -180,10 +182,14 @@ export interface Match {
     lines: LineTotals | null;
     pairs: LineTotals | null;
   };
-  /** How far J stays below the optimum; null where that is not known. */
+  /** How far J of the lines stays below the optimum: 1 - J/J*; null where that is not known. */
   gap: number | null;
-  /** Whether the optimum is that on the curves themselves or that between the same samples. */
-  gapKind: "refined" | "lattice" | null;
+  /** Whether the optimum is that on the curves themselves, a supremum on these that one-to-one lines only come near, or that between the same samples. */
+  gapKind: "refined" | "supremum" | "lattice" | null;
+  /** J*, which the gap is measured against. */
+  optimum: number | null;
+  /** Relative change of J* on the curves when the samples were last made finer; null where it is not on the curves. */
+  optimumChange: number | null;
   /** Whether the refinement on the curves was left out, which a call without `coarse` does. */
   coarse: boolean;
 }

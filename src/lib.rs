@@ -1,10 +1,71 @@
 //! Heterogeneous objects: bodies whose material varies from point to point.
 //!
-//! A tour in the order a reader works. A [`curve::ClosedBSpline`] is checked once and then answers questions about its
-//! points, normals and arc length. Two sampled curves make a [`matching::Problem`]; [`matching::greedy`] joins their samples
-//! by ruling lines, and [`matching::Totals`] says what the lines are worth and whether they keep the constraints. A
-//! [`morph::Band`] carries shape and composition from one curve to the other. A whole document, from JSON to a
-//! picture:
+//! # A tour, in the order a reader works
+//! A [`curve::ClosedBSpline`] is checked once and then answers questions about its points, normals and arc length:
+//!
+//! ```
+//! use directrix::curve::{ClosedBSpline, Form, Scheme, sample};
+//! use glam::DVec2;
+//!
+//! let corners = (0..12).map(|i| 10.0 * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 12.0));
+//! let curve = ClosedBSpline::new(3, Form::Periodic, corners.collect(), None)?;
+//! assert!(curve.signed_area() > 0.0, "counter-clockwise");
+//!
+//! let samples = sample(&curve, Scheme::ArcLength, 24);
+//! let step = samples.arc[1] - samples.arc[0];
+//! assert!((step - samples.length / 24.0).abs() < 1e-9, "equal arcs");
+//! assert!(samples.normals[0].dot(samples.points[0]) > 0.0, "normals point outwards");
+//! # Ok::<(), directrix::curve::CurveError>(())
+//! ```
+//!
+//! Two sampled curves make a [`matching::Problem`]. [`matching::exact()`] joins their samples by the ruling lines of the greatest
+//! integral, [`matching::greedy()`] by good ones, and [`matching::Totals`] says what lines are worth and whether they keep the
+//! constraints. The shapes here are alike, so that every line runs along both normals and both solvers find the same:
+//!
+//! ```
+//! use directrix::curve::{ClosedBSpline, Form, Scheme, sample};
+//! use directrix::matching::{Bound, ExactOptions, Outline, Problem, Weights, exact, greedy, measure};
+//! # use glam::DVec2;
+//! # let corners = |radius: f64| (0..12).map(|i| radius * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 12.0)).collect();
+//!
+//! let ring = |radius| ClosedBSpline::new(3, Form::Periodic, corners(radius), None);
+//! let outlines = [ring(10.0)?, ring(30.0)?].map(|curve| {
+//!     let samples = sample(&curve, Scheme::ArcLength, 24);
+//!     Outline::new(samples.points, samples.normals)
+//! });
+//! let problem = Problem::new(outlines, Weights::default(), 0.0)?;
+//! let best = exact(&problem, ExactOptions::default()).map_err(|reason| reason.obstacle.to_string())?;
+//! let totals = measure(&problem, &best.lines, Bound::new(&problem, &best.best));
+//! assert_eq!((totals.count, totals.crossings, totals.blocked), (24, 0, 0));
+//! assert!(totals.eta.is_some_and(|eta| eta > 0.999));
+//! assert_eq!(greedy(&problem).lines, best.lines);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A [`material::Composition`] is a point of the simplex; fractions are mixed, then coloured. A [`morph::Band`] carries shape
+//! and composition from one curve to the other:
+//!
+//! ```
+//! use directrix::curve::{ClosedBSpline, Form};
+//! use directrix::material::Composition;
+//! use directrix::morph::Band;
+//! # use glam::DVec2;
+//! # let corners = |radius: f64| (0..12).map(|i| radius * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 12.0)).collect();
+//!
+//! let ring = |radius| ClosedBSpline::new(3, Form::Periodic, corners(radius), None);
+//! let curves = [ring(10.0)?, ring(30.0)?];
+//! let places: Vec<(f64, f64)> = (0..24).map(|i| (f64::from(i) / 24.0, f64::from(i) / 24.0)).collect();
+//! let band = Band::new(&curves, &places, |curve, _| Composition::pure(curve, 2), 1);
+//!
+//! let half = band.in_between(0.5);
+//! assert_eq!(half.len(), 24);
+//! assert!((half[0] - (curves[0].point(0.0) + curves[1].point(0.0)) / 2.0).length() < 1e-12);
+//! let [first, second] = &band.rulings()[0].ends;
+//! assert_eq!(first.mix(second, 0.25).fractions(), [0.75, 0.25]);
+//! # Ok::<(), directrix::curve::CurveError>(())
+//! ```
+//!
+//! A whole document, from JSON to a picture:
 //!
 //! ```
 //! use directrix::document::{Json, Solve, read_text};

@@ -155,13 +155,21 @@ fn on_the_reference_pair_the_methods_are_ordered_as_in_the_paper() {
 #[test]
 fn exact_gives_as_many_lines_as_asked_for_and_names_its_gap() {
     let document = preset("amoeba");
+    let mut gaps = Vec::new();
     for count in [3, 44, 177] {
         let solution = solve(&with(&document, json!({"method": "exact", "oneToOne": true, "lines": count})));
         assert!(solution.is_complete());
         assert_eq!(pairs(&solution).expect("pairs").lines.len(), count);
-        let (change, kind) = gap(&solution).expect("refined");
-        assert!(kind == GapKind::Refined && change < 1e-4, "{change}");
+        let Outcome::Matched { gap: Some(gap), pairs: Some(pairs), .. } = &solution.outcome else {
+            panic!("refined")
+        };
+        assert!(gap.change.is_some_and(|change| change < 1e-4), "{gap:?}");
+        assert_eq!(gap.kind, GapKind::Supremum, "one of its points is joined with an arc");
+        let integral = pairs.totals.integral.expect("J");
+        assert!((1.0 - integral / gap.optimum - gap.value).abs() < 1e-12);
+        gaps.push(gap.value);
     }
+    assert!(gaps[0] > 0.1 && gaps[1] < 1e-3 && gaps[2] < gaps[1] / 3.0, "more lines come nearer: {gaps:?}");
     let greedy = solve(&with(&document, json!({"method": "greedy", "oneToOne": true})));
     let (value, kind) = gap(&greedy).expect("the lattice optimum is known");
     assert!(kind == GapKind::Lattice && value.abs() < 0.05, "{value}");
@@ -315,4 +323,38 @@ fn a_greedy_matching_that_is_stuck_says_so_and_repair_solves_it() {
         }
     }
     assert!(stuck > 0, "some of these shapes are hard for the greedy method: {stuck}");
+}
+
+#[test]
+fn one_to_one_lines_come_as_near_to_the_optimum_of_sharp_corners_as_there_are_lines() {
+    for (name, counts, least) in
+        [("sharp-square", [48, 240, 960], [4e-3, 1e-3, 2e-4]), ("gear", [120, 480, 1000], [2e-2, 4e-3, 2e-3])]
+    {
+        let document = preset(name);
+        for (count, least) in counts.into_iter().zip(least) {
+            let matching = json!({"method": "exact", "oneToOne": true, "lines": count});
+            let solution = solve(&with(&document, matching));
+            assert!(solution.is_complete(), "{name}: {:?}", solution.diagnostics);
+            let (value, kind) = gap(&solution).expect("refined");
+            assert_eq!(kind, GapKind::Supremum, "{name}");
+            assert!(value < least && value > -1e-4, "{name}, {count} lines: {value}");
+        }
+    }
+}
+
+#[test]
+fn a_line_that_cannot_be_verified_makes_way_for_one_of_the_matching() {
+    for count in [80, 100] {
+        let mut document = preset("open-c");
+        document["sampling"]["counts"] = json!([count, count]);
+        let solution = solve(&document);
+        assert!(solution.is_complete(), "{count}: {:?}", solution.diagnostics);
+        assert!(codes(&solution).contains(&"unverified-gap"), "{count}: the gap is named");
+        let pairs = pairs(&solution).expect("pairs");
+        assert!(pairs.verified.iter().all(|&verified| verified));
+        let kept: usize = pairs.failed.iter().map(|gap| gap.lines.len() - 2).sum();
+        assert!((1..count / 4).contains(&kept), "{count}: {kept} lines were kept");
+        let (value, kind) = gap(&solution).expect("that of the samples");
+        assert!(kind == GapKind::Lattice && value.abs() < 1e-3, "{value}");
+    }
 }

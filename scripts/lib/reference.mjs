@@ -176,15 +176,15 @@ function scientific(value) {
 }
 
 /**
- * A gap in per cent, marked where it is the last change of a refined optimum.
+ * A gap in per cent, marked where it is one to the optimum on the curves themselves.
  *
  * @param {number | null} gap
- * @param {"refined" | "lattice" | null} kind
+ * @param {"refined" | "supremum" | "lattice" | null} kind
  */
 function percent(gap, kind) {
   if (gap === null) return "–";
-  const text = `${(100 * gap).toFixed(kind === "refined" ? 3 : 2).replace("-", "−")} %`;
-  return kind === "refined" ? `± ${text}` : text;
+  const text = `${(100 * gap).toFixed(2).replace("-", "−").replace("−0.00", "0.00")} %`;
+  return kind === "lattice" ? text : `${text} *`;
 }
 
 /** @param {number | null} value */

@@ -68,7 +68,13 @@ fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
 fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     let items = list.items()?;
     if let Some(third) = items.get(2) {
-        return Err(third.not_yet("stacks of more than two curves"));
+        return Err(third.error(
+            Code::NotYet,
+            format!(
+                "the blend `ruled` joins 2 curves, {} were found; several inner contours need the blend kind `harmonic`, stacks `cubic`, both of which come with a later release",
+                items.len()
+            ),
+        ));
     }
     let mut curves = Vec::with_capacity(items.len());
     for (number, item) in items.iter().enumerate() {
@@ -243,10 +249,7 @@ fn pins(list: &Node<'_>, method: Method) -> Read<Vec<Pin>> {
 fn printed(list: &Node<'_>) -> Read<Vec<PrintedRule>> {
     let mut rules = Vec::new();
     for item in list.items()? {
-        match PrintedRule::ALL.get(item.choice(&PrintedRule::NAMES)?) {
-            Some(rule) => rules.push(*rule),
-            None => return Err(item.not_yet("in-between curves as printed")),
-        }
+        rules.push(PrintedRule::ALL[item.choice(&PrintedRule::NAMES)?]);
     }
     Ok(PrintedRule::ALL.into_iter().filter(|rule| rules.contains(rule)).collect())
 }
@@ -256,7 +259,9 @@ fn blend(node: &Node<'_>) -> Read<Blend> {
     if let Some(kind) = node.get("kind")?
         && kind.choice(&["ruled", "cubic", "harmonic"])? != 0
     {
-        return Err(kind.not_yet("blends other than `ruled`"));
+        return Err(
+            kind.not_yet("the blends `harmonic`, for several inner contours, and `cubic`, for stacks,")
+        );
     }
     let default = Blend::default();
     Ok(Blend {

@@ -194,7 +194,6 @@ mod tests {
 
     #[test]
     fn values_of_later_releases_are_refused_by_path() {
-        expect_at(Code::NotYet, "matching.printed[0]", "/matching/printed", json!(["stages"]));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("cubic"));
         expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("harmonic"));
         expect_at(Code::NotYet, "curves[0].form", "/curves/0/form", json!("open"));

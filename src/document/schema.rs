@@ -41,6 +41,21 @@ pub struct CurvesDocument {
     pub view: Option<View>,
 }
 
+impl CurvesDocument {
+    /// Number of equal parts into which the stages cut every ruling line: M, or M + 1 where M is taken as printed for the number of curves
+    /// in between (the caption of Fig. 6 of the precursor).
+    #[must_use]
+    pub fn segments(&self) -> usize {
+        self.blend.stages + usize::from(self.counts_stages_back())
+    }
+
+    /// Whether stages are counted as printed, from the second curve: the parameter of Eq. 3 is 0 there.
+    #[must_use]
+    pub fn counts_stages_back(&self) -> bool {
+        self.matching.is_printed(PrintedRule::Stages)
+    }
+}
+
 /// Kinds of documents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -235,14 +250,16 @@ pub enum PrintedRule {
     Order,
     /// The heights do not count in lengths.
     Heights,
+    /// The number of stages is that of the curves in between, which are counted from the second curve.
+    Stages,
 }
 
 impl PrintedRule {
     /// Every rule.
-    pub const ALL: [Self; 6] =
-        [Self::Normals, Self::Negative, Self::Stop, Self::Removal, Self::Order, Self::Heights];
+    pub const ALL: [Self; 7] =
+        [Self::Normals, Self::Negative, Self::Stop, Self::Removal, Self::Order, Self::Heights, Self::Stages];
 
-    /// Their names in documents, in the same order, and last the one that a later release knows.
+    /// Their names in documents, in the same order.
     pub const NAMES: [&'static str; 7] =
         ["normals", "negative", "stop", "removal", "order", "heights", "stages"];
 }

@@ -25,10 +25,14 @@ pub struct Solution {
 /// How far the integral J of the lines stays below the greatest one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
-    /// One less the ratio; for the method `exact` on the curves themselves the last relative change of its refinement. Pairs lie off the
-    /// samples and may exceed the optimum between these: then it is below 0.
+    /// One less the ratio of J to the optimum. Pairs lie off the samples and may exceed the optimum between these; one on the curves is known as well
+    /// as `change` says. So it may be a little below 0.
     pub value: f64,
-    /// What it is measured against.
+    /// The greatest J, by the same rule.
+    pub optimum: f64,
+    /// Of an optimum on the curves themselves, its relative change when the samples were last made finer.
+    pub change: Option<f64>,
+    /// What the optimum is.
     pub kind: GapKind,
 }
 
@@ -37,6 +41,9 @@ pub struct Gap {
 pub enum GapKind {
     /// The optimum on the curves themselves.
     Refined,
+    /// The supremum on the curves themselves: the best correspondence joins a point with a whole arc, so that lines with ends of their own come near
+    /// to it, nearer the more there are, but never reach it.
+    Supremum,
     /// The optimum between the same samples.
     Lattice,
 }

@@ -6,7 +6,7 @@ use super::{Diagnostic, Model};
 use crate::curve::{ClosedBSpline, Samples};
 use crate::matching::{
     self, Bound, Exact, ExactOptions, Greedy, Infeasible, Insertion, Matching, Objective, OnePerVertex,
-    OneToOne, Optimum, Outline, Placing, Printed, Problem, ProblemError, Refine, Refined, RulingLine,
+    OneToOne, Optimum, Outline, Placing, Printed, Problem, ProblemError, Refine, Refined, RulingLine, Spread,
     best_shift, even_places, fill_in, integral_on_curves, measure, places_of, shifted,
 };
 
@@ -22,6 +22,8 @@ pub(super) struct Work {
     problem: Problem,
     stage: Stage,
     found: Found,
+    /// Evenly spread lines of the method `exact`, with the outlines that they are verified against.
+    spread: Option<Box<(Problem, Spread)>>,
     /// Share of the work that is done, as said last: it never falls.
     reached: f64,
 }
@@ -106,6 +108,7 @@ impl Work {
             problem,
             stage: Stage::Done,
             found,
+            spread: None,
             reached: 0.0,
         };
         work.stage = match work.spec.method {
@@ -141,7 +144,9 @@ impl Work {
             self.stage = match &mut self.stage {
                 Stage::Growing(job) => {
                     self.found.matching = job.step(may_go_on)?;
-                    if self.found.is_partial || !self.spec.printed.is_empty() {
+                    // How stages are counted says nothing of lines.
+                    let is_printed = self.spec.printed.iter().any(|rule| *rule != PrintedRule::Stages);
+                    if self.found.is_partial || is_printed {
                         Stage::Done
                     } else {
                         let options =
@@ -175,8 +180,8 @@ impl Work {
                     self.finish()
                 }
                 Stage::Placing(job) => {
-                    self.found.pairs = Some(Box::new(job.step(may_go_on)?));
-                    self.finish()
+                    let pairs = job.step(may_go_on)?;
+                    self.placed(pairs)
                 }
                 Stage::Done => return Some(self.found.clone()),
             };
@@ -298,26 +303,46 @@ impl Work {
     }
 
     /// Spreads lines evenly along the refined optimum, or along that of the samples where there is none.
-    fn even(&self) -> Stage {
+    fn even(&mut self) -> Stage {
         let (a, b) = self.problem.counts();
         let count = self.spec.lines.unwrap_or(a.max(b));
-        if let Some(Refined { problem, places, count: samples, .. }) = &self.found.refined {
-            let even = even_places(&self.curves, problem, places, count, 1.0 / *samples as f64);
-            return self.placing(problem, &even);
+        let (problem, spread) = if let Some(Refined { problem, places, .. }) = &self.found.refined {
+            let (a, b) = problem.counts();
+            let even = even_places(&self.curves, problem, places, count, 1.0 / a.max(b) as f64);
+            (problem.clone(), Spread::new(places.clone(), even, &[]))
+        } else {
+            let lines = &self.found.matching.lines;
+            let path = places_of(&self.problem, lines);
+            let mut even = even_places(&self.curves, &self.problem, &path, count, 0.0);
+            let is_pin = |line: &&RulingLine| self.pins.contains(&(line.from, line.to));
+            let pinned: Vec<RulingLine> = lines.iter().filter(is_pin).copied().collect();
+            let pinned = places_of(&self.problem, &pinned);
+            matching::hold_places(&mut even, &pinned);
+            (self.problem.clone(), Spread::new(path, even, &pinned))
+        };
+        let stage = self.placing(&problem, &spread.places());
+        self.spread = Some(Box::new((problem, spread)));
+        stage
+    }
+
+    /// Takes verified one-to-one lines, or tries others where evenly spread ones failed.
+    fn placed(&mut self, mut pairs: OneToOne) -> Stage {
+        if let Some((problem, spread)) = self.spread.as_deref_mut() {
+            if spread.learn(&self.curves, &pairs) {
+                let places = spread.places();
+                return Stage::Placing(Box::new(Placing::new(&self.curves, problem, &places)));
+            }
+            pairs.failed = spread.gaps(&self.curves, &pairs);
         }
-        let lines = &self.found.matching.lines;
-        let mut even = even_places(&self.curves, &self.problem, &places_of(&self.problem, lines), count, 0.0);
-        let is_pin = |line: &&RulingLine| self.pins.contains(&(line.from, line.to));
-        let pinned: Vec<RulingLine> = lines.iter().filter(is_pin).copied().collect();
-        matching::hold_places(&mut even, &places_of(&self.problem, &pinned));
-        self.placing(&self.problem, &even)
+        self.found.pairs = Some(Box::new(pairs));
+        self.finish()
     }
 
     /// Rates what was found.
     fn finish(&mut self) -> Stage {
         if let Some(pairs) = &self.found.pairs {
             let lines: Vec<usize> = (0..pairs.lines.len()).filter(|&k| !pairs.verified[k]).collect();
-            if !lines.is_empty() && pairs.failed.is_empty() {
+            if !lines.is_empty() && (pairs.failed.is_empty() || self.spread.is_some()) {
                 self.found.diagnostics.push(Diagnostic::Unverified { lines });
             }
         }
@@ -328,17 +353,22 @@ impl Work {
     }
 
     fn gap(&self) -> Option<Gap> {
-        if let Some(change) = self.found.refined.as_ref().and_then(|refined| refined.change) {
-            return Some(Gap { value: change, kind: GapKind::Refined });
+        let rated = |integral: f64, optimum: f64, change: Option<f64>, kind: GapKind| {
+            (optimum > 0.0).then(|| Gap { value: 1.0 - integral / optimum, optimum, change, kind })
+        };
+        let pairs = self.found.pairs.as_ref();
+        if let (Some(refined), Some(pairs)) = (&self.found.refined, pairs) {
+            let kind = if refined.has_fans { GapKind::Supremum } else { GapKind::Refined };
+            return rated(pairs.totals.integral?, refined.integral, refined.change, kind);
         }
         let optimum = self.found.optimum.as_ref()?;
-        let (integral, best) = match &self.found.pairs {
+        let (integral, best) = match pairs {
             Some(pairs) => {
                 (pairs.totals.integral?, integral_on_curves(&self.curves, &self.problem, &optimum.lines))
             }
             None => (self.found.matching.totals.integral?, optimum.value),
         };
-        (best > 0.0).then(|| Gap { value: 1.0 - integral / best, kind: GapKind::Lattice })
+        rated(integral, best, None, GapKind::Lattice)
     }
 }
 

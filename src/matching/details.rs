@@ -1,6 +1,7 @@
 //! Further figures of a set of lines.
 
 use super::even::at_even_means;
+use super::parts::Parts;
 use super::place::{end_at, places_of};
 use super::{Problem, RulingLine};
 use crate::curve::{ArcLength, ClosedBSpline};
@@ -41,24 +42,23 @@ pub fn details(
     })
 }
 
-/// Parts into which the way from each line to the next is cut, as for the J of [`OneToOne`](super::OneToOne).
-const PARTS: usize = 8;
-
 /// J on the curves of the correspondence that is linear in arc length between lines in cyclic order, by the midpoints of eight
-/// parts from each to the next.
+/// parts from each to the next, as for the J of [`OneToOne`](super::OneToOne).
 #[must_use]
 pub fn integral_on_curves(curves: &[ClosedBSpline; 2], problem: &Problem, lines: &[RulingLine]) -> f64 {
     let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
     let places = places_of(problem, lines);
     let lap = places.first().map(|place| place.map(|share| share + 1.0));
     let next = places.iter().copied().skip(1).chain(lap);
+    let parts = Parts::new(curves, &arc_lengths);
     let gap = |(place, next): (&[f64; 2], [f64; 2])| {
         let width = [next[0] - place[0], next[1] - place[1]];
-        let middle = |k: usize| {
-            let t = (k as f64 + 0.5) / PARTS as f64;
-            value_at(curves, &arc_lengths, problem, [place[0] + t * width[0], place[1] + t * width[1]])
+        let middle = |w: &[f64]| {
+            let t = (w[0] + w[1]) / 2.0;
+            let at = [place[0] + t * width[0], place[1] + t * width[1]];
+            (w[1] - w[0]) * value_at(curves, &arc_lengths, problem, at)
         };
-        (width[0] + width[1]) / 2.0 / PARTS as f64 * (0..PARTS).map(middle).sum::<f64>()
+        (width[0] + width[1]) / 2.0 * parts.cuts(*place, next).windows(2).map(middle).sum::<f64>()
     };
     places.iter().zip(next).map(gap).sum()
 }

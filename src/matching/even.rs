@@ -1,5 +1,7 @@
 //! Lines evenly spread along a correspondence.
 
+use super::spacing::APART;
+
 /// Least share of its even step by which an end moves on from one line to the next: spreads fans a little, so that no two
 /// lines share an end.
 const LEAST_STEP: f64 = 1.0 / 128.0;
@@ -9,10 +11,12 @@ const LEAST_STEP: f64 = 1.0 / 128.0;
 /// `places` are ends in shares of arc length on both curves once round, weakly ascending, not all the same. `improve` may
 /// move a line along its anti-diagonal: it gets the two ends and returns how much to add to the first and take
 /// from the second. The places returned ascend strictly on both curves, within one lap: where many lines of
-/// the correspondence share an end (a fan), their ends are drawn apart by the least squares of moves.
+/// the correspondence share an end (a fan), their ends are drawn apart by the least squares of moves, and no end passes a corner, whose shares of
+/// arc length `corners` holds.
 pub(super) fn spread_evenly(
     places: &[[f64; 2]],
     count: usize,
+    corners: &[Vec<f64>; 2],
     mut improve: impl FnMut([f64; 2]) -> f64,
 ) -> Vec<[f64; 2]> {
     let plain = at_even_means(places, count);
@@ -23,7 +27,12 @@ pub(super) fn spread_evenly(
             [x + by, y - by]
         })
         .collect();
-    [strictly(&moved), strictly(&plain)].into_iter().find(|places| ascends(places)).unwrap_or_else(|| {
+    let tries = [(&moved, true), (&plain, true), (&plain, false)];
+    let mut tries = tries.map(|(places, keeps)| {
+        let corners = if keeps { corners.each_ref().map(Vec::as_slice) } else { [[].as_slice(); 2] };
+        strictly(places, corners)
+    });
+    tries.iter_mut().find(|places| ascends(places)).map(std::mem::take).unwrap_or_else(|| {
         // Any correspondence becomes strict when it is mixed with the rigid one.
         let offset = plain.iter().map(|[x, y]| x - y).sum::<f64>() / count as f64;
         let mix = |&[x, y]: &[f64; 2]| {
@@ -99,8 +108,9 @@ pub(super) fn at_even_means(places: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> 
         .collect()
 }
 
-/// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly.
-fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly, each on its own side
+/// of every corner.
+fn strictly(places: &[[f64; 2]], corners: [&[f64]; 2]) -> Vec<[f64; 2]> {
     let n = places.len();
     let least = |k: usize| {
         let [x, y] = places[k];
@@ -115,7 +125,16 @@ fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
     for curve in 0..2 {
         let even: Vec<f64> = line.iter().map(|[x, y]| LEAST_STEP * (x + y) / 2.0).collect();
         let mut rest: Vec<f64> = line.iter().zip(&even).map(|(place, even)| place[curve] - even).collect();
-        make_ascending(&mut rest);
+        let mut walls = walls(&line, curve, corners[curve]);
+        // Half a least step on this side of the corner for the last line before it, and on the other side for the first one after it.
+        let half = LEAST_STEP / (2 * n) as f64;
+        walls.iter_mut().for_each(|(first, at)| *at += half - even[*first]);
+        let (mut begin, mut low) = (0, f64::NEG_INFINITY);
+        for (end, high) in walls.into_iter().chain([(n, f64::INFINITY)]) {
+            make_ascending(&mut rest[begin..end]);
+            rest[begin..end].iter_mut().for_each(|number| *number = number.max(low).min(high));
+            (begin, low) = (end, high);
+        }
         for ((place, rest), even) in line.iter_mut().zip(rest).zip(even) {
             let by = rest + even - place[curve];
             place[curve] += by;
@@ -130,6 +149,18 @@ fn strictly(places: &[[f64; 2]]) -> Vec<[f64; 2]> {
             lap(line[at], whole + if k < cut % n { 1.0 } else { 0.0 })
         })
         .collect()
+}
+
+/// Samples at a corner lie this share of arc length before it, or at it.
+const BEFORE: f64 = APART / 2.0;
+
+/// Where the ends of lines in ascending order pass the corners of a curve: the first line beyond each, and the corner, laps counted.
+fn walls(line: &[[f64; 2]], curve: usize, corners: &[f64]) -> Vec<(usize, f64)> {
+    let (Some(first), Some(last)) = (line.first(), line.last()) else { return Vec::new() };
+    let laps = first[curve].floor() as i64..=last[curve].floor() as i64;
+    let all = laps.flat_map(|lap| corners.iter().map(move |corner| corner + lap as f64));
+    let passed = all.map(|corner| (line.partition_point(|place| place[curve] < corner - BEFORE), corner));
+    passed.filter(|(at, _)| (1..line.len()).contains(at)).collect()
 }
 
 /// Replaces numbers by the closest weakly ascending ones in the sense of least squares: pools neighbours that descend.
@@ -162,7 +193,7 @@ mod tests {
     fn a_rigid_correspondence_is_cut_into_equal_steps() {
         let places: Vec<[f64; 2]> =
             (0..10).map(|k| [f64::from(k) / 10.0, f64::from(k) / 10.0 + 0.3]).collect();
-        let spread = spread_evenly(&places, 7, |_| 0.0);
+        let spread = spread_evenly(&places, 7, &[Vec::new(), Vec::new()], |_| 0.0);
         for (k, [x, y]) in spread.iter().enumerate() {
             assert!((x - k as f64 / 7.0).abs() < 1e-12 && (y - x - 0.3).abs() < 1e-12, "{k}: {x} {y}");
         }
@@ -201,7 +232,8 @@ mod tests {
             }
             for count in [1, 2, 3, 7, 44, 500] {
                 let noise = 0.3 / count as f64;
-                let spread = spread_evenly(&places, count, |_| numbers.between(-noise, noise));
+                let corners = [0, 1].map(|_| (0..case % 4).map(|k| (k as f64 + 0.37) / 4.0).collect());
+                let spread = spread_evenly(&places, count, &corners, |_| numbers.between(-noise, noise));
                 assert_eq!(spread.len(), count);
                 assert!(ascends(&spread), "case {case}, {count} lines: {places:?}");
                 for pair in means(&spread).windows(2) {
@@ -210,6 +242,23 @@ mod tests {
                         "case {case}: equal steps"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn lines_of_a_fan_stay_on_their_side_of_a_corner() {
+        // Both fans of a corner at 0.5: most lines arrive from the side before it.
+        let before = 0.5 - APART;
+        let places = [[0.0, 0.0], [before, 0.4], [before, 0.62], [0.5, 0.62], [0.5, 0.7]];
+        for count in [20, 100, 1000] {
+            let corners = [vec![0.5], Vec::new()];
+            let plain = at_even_means(&places, count);
+            let spread = spread_evenly(&places, count, &corners, |_| 0.0);
+            assert!(ascends(&spread));
+            for (place, plain) in spread.iter().zip(&plain) {
+                assert_eq!(place[0] < 0.5, plain[0] < 0.5 - APART / 2.0, "{count}: {plain:?} to {place:?}");
+                assert!((place[0] - plain[0]).abs() < 3e-3, "{count}: {plain:?} to {place:?}");
             }
         }
     }

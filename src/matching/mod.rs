@@ -19,10 +19,12 @@ mod exact;
 mod greedy;
 mod insert;
 mod irredundant;
+mod keep;
 mod lattice;
 mod mean;
 mod measure;
 mod outline;
+mod parts;
 mod path;
 mod pins;
 mod place;
@@ -35,6 +37,7 @@ mod rounds;
 mod row;
 mod shift;
 mod single;
+mod spacing;
 mod stretch;
 #[cfg(test)]
 mod test_shapes;
@@ -48,6 +51,7 @@ pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, P
 pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Inserted, Insertion, OneToOne};
 pub use irredundant::irredundant;
+pub use keep::Spread;
 pub use mean::best_mean;
 pub use measure::{Bound, Totals, broken, measure};
 pub use outline::Outline;

@@ -1,18 +1,17 @@
 //! J of lines whose ends lie anywhere on the curves, and its bound, by the same midpoints.
 
+use super::parts::{PARTS, Parts};
 use super::value::End;
 use super::visibility::Sight;
 use super::{Problem, RulingLine};
 use crate::curve::{ArcLength, ClosedBSpline};
 
-/// Parts into which the way from each line to the next is cut.
-const PARTS: usize = 8;
 /// Ends of lines that are looked at all round a curve for a better partner; between many lines some are skipped at first.
 const CANDIDATES: usize = 128;
 
 /// The integral J of lines in cyclic order, and an upper bound of it, as a job that advances gap by gap.
 ///
-/// Between neighbouring lines the correspondence is linear in arc length. J is the sum of the values between corresponding
+/// Between neighbouring lines the correspondence is linear in arc length, and cut into parts, at corners if there are some. J is the sum of the values between corresponding
 /// midpoints, each weighed with its share of both curves. The bound gives every midpoint its best partner instead: among
 /// its own, the ends of all lines that an end of its gap sees, and the midpoints beside the best of these. So J never exceeds it.
 #[derive(Debug)]
@@ -21,6 +20,9 @@ pub(super) struct Quadrature {
     /// Arc length of the ends of the lines on each curve, ascending.
     arcs: [Vec<f64>; 2],
     middles: [Vec<End>; 2],
+    /// The width of each part, as a share of the way from its line to the next.
+    widths: Vec<f64>,
+    parts: Option<Parts>,
     sight: Sight,
     /// Whether the start of one line sees the end of another, as far as it was asked.
     seen: Vec<Option<bool>>,
@@ -37,6 +39,8 @@ impl Quadrature {
             lines: lines.to_vec(),
             arcs,
             middles: [Vec::new(), Vec::new()],
+            widths: Vec::with_capacity(lines.len() * PARTS),
+            parts: None,
             gap: 0,
             integral: 0.0,
             bound: 0.0,
@@ -52,11 +56,16 @@ impl Quadrature {
     ) -> f64 {
         let count = self.lines.len();
         if self.gap < count {
+            let starts = [0, 1].map(|axis| self.arcs[axis][self.gap]);
+            let spans = [0, 1].map(|axis| self.span(axis, self.gap, arc_lengths));
+            let share = |axis: usize, arc: f64| arc / arc_lengths[axis].total();
+            let from = [0, 1].map(|axis| share(axis, starts[axis]));
+            let to = [0, 1].map(|axis| share(axis, starts[axis] + spans[axis]));
+            let cuts = self.parts.get_or_insert_with(|| Parts::new(curves, arc_lengths)).cuts(from, to);
+            self.widths.extend(cuts.windows(2).map(|w| w[1] - w[0]));
             for axis in 0..2 {
-                let start = self.arcs[axis][self.gap];
-                let part = self.span(axis, self.gap, arc_lengths) / PARTS as f64;
-                for k in 0..PARTS {
-                    let u = arc_lengths[axis].parameter(start + part * (k as f64 + 0.5));
+                for w in cuts.windows(2) {
+                    let u = arc_lengths[axis].parameter(starts[axis] + spans[axis] * (w[0] + w[1]) / 2.0);
                     let end = End { point: curves[axis].point(u), normal: curves[axis].normal(u) };
                     self.middles[axis].push(end);
                 }
@@ -64,10 +73,10 @@ impl Quadrature {
         } else {
             let gap = self.gap - count;
             // Half of J's measure lies on each curve.
-            let weights = [0, 1].map(|axis| {
-                self.span(axis, gap, arc_lengths) / arc_lengths[axis].total() / 2.0 / PARTS as f64
-            });
+            let weights =
+                [0, 1].map(|axis| self.span(axis, gap, arc_lengths) / arc_lengths[axis].total() / 2.0);
             for k in gap * PARTS..(gap + 1) * PARTS {
+                let weights = weights.map(|weight| weight * self.widths[k]);
                 let own = problem.value_between(self.middles[0][k], self.middles[1][k]);
                 self.integral += (weights[0] + weights[1]) * own;
                 for (axis, weight) in weights.into_iter().enumerate() {

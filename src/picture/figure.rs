@@ -128,7 +128,7 @@ impl Drawing<'_> {
         let colors: Vec<Oklab> =
             self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect();
         let mesh = if self.shows(LayerName::UnitCells) {
-            flat_cells(band, self.solution.model.document().blend.stages, &colors)
+            flat_cells(band, self.solution.model.document().segments(), &colors)
         } else if self.shows(LayerName::Material) {
             smooth_band(band, &colors)
         } else {
@@ -139,8 +139,8 @@ impl Drawing<'_> {
 
     fn in_betweens(&mut self, band: &Band) {
         if self.shows(LayerName::InBetweens) {
-            let stages = self.solution.model.document().blend.stages;
-            let rings = (1..stages).map(|j| band.in_between(j as f64 / stages as f64)).collect();
+            let segments = self.solution.model.document().segments();
+            let rings = (1..segments).map(|j| band.in_between(j as f64 / segments as f64)).collect();
             self.stroke("in-betweens", Path { rings, closed: true }, self.inside(self.theme.in_between));
         }
     }

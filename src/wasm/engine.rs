@@ -54,15 +54,15 @@ impl Engine {
             return Err(to_js(&DocumentError::new(Code::Range, "options.refine", message)));
         }
         let solution = self.solve(text)?;
-        let count = solution.model.document().blend.stages;
-        to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, count)))
+        let document = solution.model.document();
+        to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, document)))
     }
 
     /// Unit cells.
     pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
-        let count = solution.model.document().blend.stages;
-        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, count)))
+        let document = solution.model.document();
+        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, document)))
     }
 
     /// Lines of equal fraction of a material.

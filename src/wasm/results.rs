@@ -1,9 +1,11 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
-use crate::document::{Code, Diagnostic, DocumentError, GapKind, IsoOptions, Outcome, Solution};
+use crate::document::{
+    Code, CurvesDocument, Diagnostic, DocumentError, GapKind, IsoOptions, Outcome, Solution,
+};
 use crate::matching::{
-    Details, Insertion, Matching, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace, VertexSets,
-    trace, vertex_sets,
+    Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
+    VertexSets, trace, vertex_sets,
 };
 use crate::morph::{Band, Place, UnitCell, unit_cells};
 use crate::picture::Viewport;
@@ -24,6 +26,9 @@ pub(super) struct MatchResult {
     gap: Option<f64>,
     #[serde(rename = "gapKind")]
     gap_kind: Option<&'static str>,
+    optimum: Option<f64>,
+    #[serde(rename = "optimumChange")]
+    optimum_change: Option<f64>,
     coarse: bool,
 }
 
@@ -95,6 +100,8 @@ struct DiagnosticResult {
     lines: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pins: Option<Vec<usize>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     parameter: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -182,8 +189,11 @@ impl MatchResult {
             gap: gap.map(|gap| gap.value),
             gap_kind: gap.map(|gap| match gap.kind {
                 GapKind::Refined => "refined",
+                GapKind::Supremum => "supremum",
                 GapKind::Lattice => "lattice",
             }),
+            optimum: gap.map(|gap| gap.optimum),
+            optimum_change: gap.and_then(|gap| gap.change),
             coarse: solution.is_coarse,
         })
     }
@@ -246,6 +256,7 @@ impl From<&Diagnostic> for DiagnosticResult {
             vertices: None,
             lines: None,
             pins: None,
+            reason: None,
             parameter: None,
             turn: None,
             at: None,
@@ -260,7 +271,14 @@ impl From<&Diagnostic> for DiagnosticResult {
             Diagnostic::OpposedNormals { lines }
             | Diagnostic::Occluded { lines }
             | Diagnostic::Unverified { lines } => result.lines = Some(lines.clone()),
-            Diagnostic::Pins { pins, .. } => result.pins = Some(pins.clone()),
+            Diagnostic::Pins { pins, obstacle } => {
+                result.pins = Some(pins.clone());
+                result.reason = Some(match obstacle {
+                    Obstacle::PinsCross { .. } => "cross",
+                    Obstacle::NoRoom { .. } => "no-room",
+                    _ => "blocked",
+                });
+            }
             Diagnostic::Orphan { curve, vertices }
             | Diagnostic::Stuck { curve, vertices }
             | Diagnostic::Jammed { curve, vertices } => {
@@ -286,25 +304,28 @@ impl From<Viewport> for ViewResult {
     }
 }
 
-/// Stages j = 0 to M of a band, at s = j / M.
-pub(super) fn stages(band: &Band, stages: usize) -> Vec<StageResult> {
-    (0..=stages)
+/// Stages of a band in the order of their numbers, both curves included.
+pub(super) fn stages(band: &Band, document: &CurvesDocument) -> Vec<StageResult> {
+    let segments = document.segments();
+    (0..=segments)
         .map(|j| {
-            let s = j as f64 / stages as f64;
+            let parts = if document.counts_stages_back() { segments - j } else { j };
+            let s = parts as f64 / segments as f64;
             StageResult { s, points: arrays(&band.in_between(s)) }
         })
         .collect()
 }
 
-/// Unit cells of a band.
-pub(super) fn cells(band: &Band, stages: usize) -> Vec<CellResult> {
+/// Unit cells of a band, each with the lower of the numbers of the stages beside it.
+pub(super) fn cells(band: &Band, document: &CurvesDocument) -> Vec<CellResult> {
+    let segments = document.segments();
     let convert = |cell: UnitCell| CellResult {
         line: cell.line,
-        stage: cell.stage,
+        stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
         corners: cell.corners.map(|corner| corner.to_array()),
         fractions: cell.composition.fractions().to_vec(),
     };
-    unit_cells(band, stages).into_iter().map(convert).collect()
+    unit_cells(band, segments).into_iter().map(convert).collect()
 }
 
 /// Lines of equal fraction of a band as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of

@@ -54,8 +54,10 @@ test("exact gives the optimum in any number of lines, keeps pins, and every meth
   const exact = matched({ method: "exact", oneToOne: true, lines: 50 });
   assert.equal(exact.ok, true);
   assert.equal(exact.pairs.length, 50);
-  assert.equal(exact.gapKind, "refined");
-  assert.ok(exact.gap !== null && exact.gap < 1e-4);
+  assert.equal(exact.gapKind, "supremum");
+  assert.ok(exact.optimumChange !== null && exact.optimumChange < 1e-4);
+  assert.ok(exact.gap !== null && exact.optimum !== null && exact.gap > 0 && exact.gap < 1e-3);
+  assert.ok(Math.abs(1 - Number(exact.totals.pairs?.integral) / exact.optimum - exact.gap) < 1e-12);
   assert.equal(exact.totals.growth, null);
   for (const method of ["greedy", "one-per-vertex", "shift", "parameter"]) {
     const { totals } = matched({ method, oneToOne: true });
@@ -72,7 +74,7 @@ test("exact gives the optimum in any number of lines, keeps pins, and every meth
   assert.ok(pinned.pairs.some(({ u, v }) => Math.abs(u - pin.u) < 1e-9 && Math.abs(v - pin.v) < 1e-9));
   const { ok, diagnostics } = matched({ method: "exact", pins: [{ u: 0.1, v: 0.2 }, { u: 0.2, v: 0.1 }] });
   assert.equal(ok, false);
-  assert.ok(diagnostics.some(({ code, pins }) => code === "pins" && pins && pins.length > 0));
+  assert.ok(diagnostics.some(({ code, pins, reason }) => code === "pins" && pins?.length === 2 && reason === "cross"));
 });
 
 test("coarse matching leaves the refinement out until it is asked for", () => {
@@ -82,7 +84,7 @@ test("coarse matching leaves the refinement out until it is asked for", () => {
   assert.ok(coarse.pairs.every(({ verified }) => verified));
   const picture = dx.paint(document, { width: 64, height: 48, coarse: true });
   const fine = dx.match(document);
-  assert.deepEqual([fine.ok, fine.coarse, fine.gapKind, fine.pairs.length], [true, false, "refined", 44]);
+  assert.deepEqual([fine.ok, fine.coarse, fine.gapKind, fine.pairs.length], [true, false, "supremum", 44]);
   assert.ok(Number(fine.totals.pairs?.integral) > Number(coarse.totals.pairs?.integral));
   assert.deepEqual(dx.match(document, { coarse: true }), fine, "what is known is not made worse");
   assert.notDeepEqual(dx.paint(document, { width: 64, height: 48, coarse: true }).data, picture.data);

@@ -1,7 +1,7 @@
 /**
  * Failures in the words of the page: where, and what to do.
  *
- * @import { CurvesDocument, Match, Problem } from "./types.js"
+ * @import { CurvesDocument, Diagnostic, Match, Problem } from "./types.js"
  */
 import { coordinate } from "./format.js";
 import { curveName } from "./state/app.js";
@@ -30,6 +30,9 @@ export function explain(document, { code, path = "", message, at }) {
   }
 }
 
+/** Which pins cannot be kept, and why. @param {Diagnostic} diagnostic */
+export const pinFault = ({ pins = [], reason = "blocked" }) => strings.advice.pins(pins.map((index) => index + 1).join(" and "), reason);
+
 /** Remarks on a whole result that the person should act on. */
 const SHORTFALLS = ["unverified-gap", "sample-limit"];
 
@@ -40,7 +43,8 @@ const SHORTFALLS = ["unverified-gap", "sample-limit"];
 export function advice({ ok, diagnostics, totals }) {
   const words = strings.advice;
   const has = (/** @type {string} */ name) => diagnostics.find(({ code }) => code === name);
-  if (has("pins")) return words.pins;
+  const bad = has("pins");
+  if (bad) return pinFault(bad);
   const occluded = has("occluded")?.lines?.length;
   if (occluded) return words.occluded(occluded);
   const [a, b] = totals.lines?.uncovered ?? [[], []];

@@ -478,7 +478,8 @@ export const strings = {
     ms: "ms",
     show: (/** @type {string} */ what) => `Show ${what}`,
     gap: "gap to optimum",
-    heuristic: (/** @type {string | null} */ gap) => `heuristic, gap ${gap ?? "unknown"}`,
+    rated: (/** @type {boolean} */ isBaseline, /** @type {string | null} */ gap) =>
+      `${isBaseline ? "baseline" : "heuristic"}, gap ${gap ?? "unknown"}`,
     refining: "refining",
     repair: "Repair",
     working: "Working",
@@ -502,7 +503,12 @@ export const strings = {
     solvable: "Greedy lines are in their own way: an exact method reaches every vertex.",
     jammed: "Each sees the other curve, but not all can have lines at once: raise the samples or widen the passage.",
     unpaired: "This method may leave vertices out.",
-    pins: "Some pins cannot be kept together; the list of pins names them.",
+    pins: (/** @type {string} */ pins, /** @type {"blocked" | "cross" | "no-room"} */ reason) =>
+      ({
+        blocked: `Pin ${pins} meets a curve on its way.`,
+        cross: `Pins ${pins} cross.`,
+        "no-room": `Some vertices can have no line beside pin ${pins}.`,
+      })[reason],
     occluded: (/** @type {number} */ count) =>
       `Repaired: ${plural(count, "line passes", "lines pass")} through a curve, so nothing is blended.`,
     unverified: "Some lines meet a curve or cross another. Choose an exact method.",

@@ -27,13 +27,15 @@ test("every method reaches the document, and the status line says how far it sta
   await eventually(async () => assert.match(await gap(page).innerText(), /^heuristic, gap 0\.5\s%$/));
 
   await method(page).selectOption("parameter");
-  await eventually(async () => assert.match(await status(page), /problem|heuristic/));
+  await eventually(async () => assert.match(await status(page), /problem|baseline/));
   await method(page).selectOption("shift");
   await page.locator("[data-segment=shift]").waitFor();
   await pick(page, "shift", "number");
   await field(page, "shift").fill("5");
   await page.keyboard.press("Enter");
   assert.equal((await matchingOf(page)).shift, 5);
+  await pick(page, "shift", "best");
+  await eventually(async () => assert.match(await gap(page).innerText(), /^baseline, gap \d+(\.\d)?\s%$/));
   await method(page).selectOption("one-per-vertex");
   await method(page).selectOption("sum-less-price");
   await field(page, "line-price").fill("0.001");

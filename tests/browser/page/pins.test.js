@@ -97,12 +97,12 @@ test("pins are moved by keys and fields, listed and removed", async (t) => {
   assert.equal(await page.locator(".pin-end").count(), 0);
 });
 
-test("pins that contradict each other are named beside the list", async (t) => {
+test("pins that cannot be kept are named beside the list, with what is wrong with them", async (t) => {
   const page = await openPage(t);
   await openRings(page, { pins: [{ u: 0.5, v: 0.5 }, { u: 0.1, v: 0.14 }, { u: 0.12, v: 0.1 }] });
   const reason = page.locator("[data-pin-reason]");
-  await eventually(async () => assert.match((await reason.textContent()) ?? "", /^Pins 2 and 3 contradict each other/));
-  assert.match(await status(page), /Some pins cannot be kept together/);
+  await eventually(async () => assert.match((await reason.textContent()) ?? "", /^Pins 2 and 3 cross\. Move an end, or remove one\.$/));
+  assert.match(await status(page), /Pins 2 and 3 cross\./);
   assert.equal(await page.locator(".pin-end.wrong").count(), 4);
   assert.deepEqual(await audit(page), []);
   await field(page, "pin-2v").fill("0.08");

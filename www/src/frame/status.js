@@ -166,7 +166,10 @@ function remark(app, match, slow) {
   if (match.coarse) return [label(words.refining)];
   const { gap } = match;
   const shown = gap === null ? null : gapText(gap);
-  if (matching.method !== "exact") return [h("span", { class: "warning", "data-gap": "" }, words.heuristic(shown))];
+  if (matching.method !== "exact") {
+    const isBaseline = matching.method === "shift" || matching.method === "parameter";
+    return [h("span", { class: "warning", "data-gap": "" }, words.rated(isBaseline, shown))];
+  }
   return shown === null ? [] : [h("span", { "data-gap": "" }, label(words.gap), " ", strong(shown))];
 }
 

@@ -86,7 +86,7 @@ export function createMatchingFields(app) {
       app.store.commit({ change: (document) => printAll(document, value === "printed") });
     },
   );
-  const boxes = /** @type {[Exclude<PrintedRule, "stages">, string][]} */ (Object.entries(words.printed)).map(([rule, text]) => ({
+  const boxes = /** @type {[PrintedRule, string][]} */ (Object.entries(words.printed)).map(([rule, text]) => ({
     rule,
     ...checkBox({ name: `printed-${rule}`, text: [text] }, (on) =>
       app.store.commit({ change: (document) => printRule(document, rule, on) }),

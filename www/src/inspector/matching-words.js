@@ -41,6 +41,7 @@ export const words = {
     order: "Order by index interval",
     removal: "Lowest line removed first",
     stop: "Stop at the best line again",
+    stages: "Stages counted from the second curve",
   },
   normalWeight: "Normal weight",
   distanceWeight: "Distance weight",

@@ -7,6 +7,7 @@ import "../../styles/lines.css";
 import { numberField } from "../controls/number-field.js";
 import { attribute, h, write } from "../dom.js";
 import { icon, symbol } from "../icons.js";
+import { pinFault } from "../explain.js";
 import { curveName, currentMatch } from "../state/app.js";
 import { dropPin, pinsOf, putPin } from "./pin-edits.js";
 import { domainOf } from "./pins.js";
@@ -47,10 +48,11 @@ export function createPinList(app) {
         rows.append(row.element);
       }
       while (shown.length > pins.length) shown.pop()?.element.remove();
-      const bad = currentMatch(app)?.diagnostics.find(({ code }) => code === "pins")?.pins ?? [];
+      const fault = currentMatch(app)?.diagnostics.find(({ code }) => code === "pins");
+      const bad = fault?.pins ?? [];
       shown.forEach((row, i) => row.render(app.ui.value.pin === i, bad.includes(i)));
       reason.hidden = bad.length === 0;
-      write(reason, bad.length === 0 ? "" : bad.length === 1 ? words.blocked(bad) : words.contradict(bad));
+      write(reason, fault ? `${pinFault(fault)} ${words.mend(bad.length)}` : "");
     },
   };
 }

@@ -1,8 +1,5 @@
 /** Words of single ruling lines: pins, and why a line is one. */
 
-/** @param {number[]} indices */
-const named = (indices) => indices.map((index) => index + 1).join(" and ");
-
 export const words = {
   pins: {
     heading: "Pins",
@@ -20,9 +17,7 @@ export const words = {
     added: (/** @type {number} */ index) => `Pinned as pin ${index + 1}`,
     madeExact: "Pins need an exact method, so the matching is exact now.",
     full: (/** @type {number} */ most) => `A document keeps at most ${most} pins`,
-    blocked: (/** @type {number[]} */ pins) => `Pin ${named(pins)} meets a curve on its way. Move an end, or remove it.`,
-    contradict: (/** @type {number[]} */ pins) =>
-      `Pins ${named(pins)} contradict each other: they cross, or leave no room for the lines between them. Move an end, or remove one.`,
+    mend: (/** @type {number} */ count) => `Move an end, or remove ${count > 1 ? "one" : "it"}.`,
   },
   explain: {
     heading: (/** @type {number} */ line) => `Line ${line + 1}`,

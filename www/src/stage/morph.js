@@ -2,6 +2,7 @@
  * The place between the curves: play, slider and its reading.
  *
  * @import { App } from "../state/app.js"
+ * @import { CurvesDocument } from "../types.js"
  */
 import { shownKey } from "../commands.js";
 import { slider } from "../controls/slider.js";
@@ -27,7 +28,7 @@ export function createMorph(app) {
   const stage = h("span", { class: "morph-stage number" });
   const control = slider(
     { label: strings.morph.slider, name: "s", min: 0, max: 1, step: STEP },
-    { change: (s) => app.ui.set({ s: snapped(s, app.store.document.blend.stages), playing: false }) },
+    { change: (s) => app.ui.set({ s: snapped(s, segmentsOf(app.store.document)), playing: false }) },
   );
   const ticks = h("span", { class: "ticks", "aria-hidden": "true" });
   control.element.prepend(ticks);
@@ -72,11 +73,11 @@ export function createMorph(app) {
       return;
     }
     if (still.matches) {
-      const { stages } = app.store.document.blend;
-      const j = Math.floor(s * stages + 1e-9) + 1;
-      const next = j > stages ? 0 : j / stages;
+      const segments = segmentsOf(app.store.document);
+      const j = Math.floor(s * segments + 1e-9) + 1;
+      const next = j > segments ? 0 : j / segments;
       app.ui.set({ s: next, playing: false });
-      app.say(strings.morph.spoken(fixed(next, 2), stageText(next, stages)));
+      app.say(strings.morph.spoken(fixed(next, 2), stageText(next, app.store.document)));
       return;
     }
     app.ui.set({ playing: !playing });
@@ -91,13 +92,12 @@ export function createMorph(app) {
     render() {
       const { s, playing } = app.ui.value;
       const { document } = app.store;
-      const { stages } = document.blend;
       write(first, document.curves[0] ? curveName(document, 0) : "");
       write(last, document.curves[1] ? curveName(document, 1) : "");
       write(value, fixed(s, 2));
-      write(stage, stageText(s, stages));
+      write(stage, stageText(s, document));
       control.set(s);
-      attribute(control.input, "aria-valuetext", strings.morph.spoken(fixed(s, 2), stageText(s, stages)));
+      attribute(control.input, "aria-valuetext", strings.morph.spoken(fixed(s, 2), stageText(s, document)));
       const whole = document.curves.length === 2;
       play.disabled = !whole;
       control.input.disabled = !whole;
@@ -111,7 +111,8 @@ export function createMorph(app) {
         attribute(play, "aria-label", label);
         attribute(play, "title", wanted === "none" ? strings.morph.needsTwo : `${label} (${shownKey("Space")})`);
       }
-      const count = stages <= TICKS ? stages : 1;
+      const segments = segmentsOf(document);
+      const count = segments <= TICKS ? segments : 1;
       if (count === drawnTicks) return;
       drawnTicks = count;
       ticks.replaceChildren(
@@ -135,9 +136,16 @@ function snapped(s, stages) {
   return Math.abs(stage - s) <= STEP / 2 ? stage : s;
 }
 
-/** @param {number} s @param {number} stages */
-function stageText(s, stages) {
-  const j = s * stages;
+/** @param {number} s @param {CurvesDocument} document */
+function stageText(s, document) {
+  const segments = segmentsOf(document);
+  const j = (countsBack(document) ? 1 - s : s) * segments;
   const whole = Math.round(j);
-  return Math.abs(j - whole) < 1e-6 ? strings.morph.stage(whole, stages) : strings.morph.between(Math.floor(j), stages);
+  return Math.abs(j - whole) < 1e-6 ? strings.morph.stage(whole, segments) : strings.morph.between(Math.floor(j), segments);
 }
+
+/** As printed, stages are counted from the second curve. @param {CurvesDocument} document */
+const countsBack = (document) => document.matching.printed?.includes("stages") ?? false;
+
+/** Parts into which the stages cut each line: as printed, the number of stages is that of the curves in between. @param {CurvesDocument} document */
+const segmentsOf = (document) => document.blend.stages + (countsBack(document) ? 1 : 0);

@@ -12,7 +12,7 @@ import { patch } from "./edits.js";
 export const CHOICES = ["integral", "sum", "sum-less-price", "greedy", "one-per-vertex", "shift", "parameter"];
 
 /** Rules of any method, and those of the greedy growth alone. @type {readonly PrintedRule[]} */
-const ANY = ["normals", "negative", "heights"];
+const ANY = ["normals", "negative", "heights", "stages"];
 /** @type {readonly PrintedRule[]} */
 const GROWTH = ["order", "removal", "stop"];
 
