@@ -10,15 +10,14 @@ import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
 import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
+import { observe, observeSize } from "./observe.js";
 import { Paper } from "./paper.js";
 import { Scene } from "./scene.js";
-import { fetchText, presetAddress } from "./source.js";
+import { readSource } from "./source.js";
 import { sheetOf } from "./style.js";
 import { themeAround, watchTheme } from "./theme.js";
 import { words } from "./words.js";
 
-/** How far from the viewport a figure begins to load. */
-const NEAR = "600px";
 /** Milliseconds after which work is shown as running, and told as `progress`. */
 const SLOW = 200;
 /** Milliseconds after a change until the link has it as well. */
@@ -249,30 +248,22 @@ export class DirectrixFigure extends Base {
   }
 
   #observe() {
-    const near = new IntersectionObserver((entries) => {
-      this.#isNear = entries.at(-1)?.isIntersecting ?? false;
-      this.#load();
-    }, { rootMargin: NEAR });
-    const seen = new IntersectionObserver((entries) => {
-      this.#isSeen = entries.at(-1)?.isIntersecting ?? false;
-      this.#morph.resume();
-    });
-    const resize = new ResizeObserver(([entry]) => {
-      if (!entry) return;
-      const { width, height } = entry.contentRect;
-      this.#scene.resize({ width: Math.round(width), height: Math.round(height) });
-      this.#renderOverlay();
-    });
-    near.observe(this);
-    seen.observe(this);
-    resize.observe(this.#frame.picture);
-    const resume = () => this.#morph.resume();
-    document.addEventListener("visibilitychange", resume);
     this.#endings.push(
-      () => near.disconnect(),
-      () => seen.disconnect(),
-      () => resize.disconnect(),
-      () => document.removeEventListener("visibilitychange", resume),
+      ...observe(this, {
+        near: (isNear) => {
+          this.#isNear = isNear;
+          this.#load();
+        },
+        seen: (isSeen) => {
+          this.#isSeen = isSeen;
+          this.#morph.resume();
+        },
+        woken: () => this.#morph.resume(),
+      }),
+      observeSize(this.#frame.picture, (size) => {
+        this.#scene.resize(size);
+        this.#renderOverlay();
+      }),
       watchTheme(() => this.#paint()),
     );
   }
@@ -311,7 +302,7 @@ export class DirectrixFigure extends Base {
   /** @param {AbortSignal} signal */
   async #open(signal) {
     try {
-      const given = await this.#read(signal);
+      const given = this.#given ?? (await readSource(this.#source, signal));
       if (signal.aborted) return;
       this.#fetching = null;
       this.#scene.open(given);
@@ -323,19 +314,8 @@ export class DirectrixFigure extends Base {
   }
 
   get #source() {
-    return { src: this.getAttribute("src"), preset: this.getAttribute("preset") };
-  }
-
-  /** @param {AbortSignal} signal @returns {Promise<DocumentInput>} */
-  async #read(signal) {
-    if (this.#given !== null) return this.#given;
-    const { src, preset } = this.#source;
-    if (src !== null) {
-      if (!URL.canParse(src, document.baseURI)) throw new DirectrixError("range", "src", words.errors.address(src));
-      return fetchText(new URL(src, document.baseURI), "src", signal);
-    }
-    const folder = new URL(this.getAttribute("presets") ?? DirectrixFigure.presets, document.baseURI);
-    return fetchText(presetAddress(preset ?? "", folder), "preset", signal);
+    const presets = this.getAttribute("presets") ?? DirectrixFigure.presets;
+    return { src: this.getAttribute("src"), preset: this.getAttribute("preset"), presets };
   }
 
   #reveal() {

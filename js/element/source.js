@@ -17,6 +17,21 @@ export function presetAddress(name, folder) {
 }
 
 /**
+ * The text of the document that attributes name.
+ *
+ * @param {{ src: string | null, preset: string | null, presets: string | URL }} source `src` goes before `preset`
+ * @param {AbortSignal} signal
+ * @returns {Promise<string>}
+ * @throws {DirectrixError}
+ */
+export async function readSource({ src, preset, presets }, signal) {
+  const { baseURI } = document;
+  if (src === null) return fetchText(presetAddress(preset ?? "", new URL(presets, baseURI)), "preset", signal);
+  if (!URL.canParse(src, baseURI)) throw new DirectrixError("range", "src", words.errors.address(src));
+  return fetchText(new URL(src, baseURI), "src", signal);
+}
+
+/**
  * The text at an address.
  *
  * @param {URL} address
@@ -25,7 +40,7 @@ export function presetAddress(name, folder) {
  * @returns {Promise<string>}
  * @throws {DirectrixError} with the code `unreachable` or `limit`
  */
-export async function fetchText(address, path, signal) {
+async function fetchText(address, path, signal) {
   const response = await fetch(address, { signal }).catch((error) => {
     if (signal.aborted) throw error;
     throw new DirectrixError("unreachable", path, words.errors.unreachable);

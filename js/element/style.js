@@ -189,6 +189,7 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 @media print {
   .bar, .layers, .handles, .working, .reveal { display: none; }
   .body { break-inside: avoid; }
+  .growth { z-index: 2; }
   .frame .paper[src] { display: block; z-index: 1; }
   .frame .paper[src] ~ canvas { visibility: hidden; }
   .frame[data-theme] { --canvas: #ffffff; --line: #e2e3e7; --text: #17191d; --text-2: #585d68; --accent: #4a45c8; --error: #b3261e; color-scheme: light; }
