@@ -5,6 +5,7 @@
 import { defineConfig } from "vitepress";
 import { applicationFolder } from "../../scripts/lib/documentation.mjs";
 import { code } from "./code.mjs";
+import { licences } from "./licences.mjs";
 import { emptyHeads, leadOutside, plainCode, titles } from "./markdown.mjs";
 import { sidebar } from "./sidebar.mjs";
 
@@ -16,7 +17,7 @@ export default defineConfig({
   cacheDir: "../.build/vitepress",
   markdown: { theme: code, config: (md) => md.use(leadOutside).use(titles).use(emptyHeads).use(plainCode) },
   vue: { template: { compilerOptions: { isCustomElement: (tag) => tag === "directrix-figure" } } },
-  vite: { publicDir: applicationFolder },
+  vite: { publicDir: applicationFolder, plugins: [licences()] },
   transformHead: ({ siteData: { base } }) => [
     ["link", { rel: "icon", type: "image/svg+xml", href: `${base}mark.svg` }],
     // As any page does it. The pages follow each other without loading anew; the element is defined once for all.

@@ -5,7 +5,8 @@
  * @import { DirectrixFigure } from "../../js/element.js"
  */
 import assert from "node:assert/strict";
-import { readdir } from "node:fs/promises";
+import { readFile, readdir } from "node:fs/promises";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { readLink } from "../../js/link.js";
 import { tested } from "../../scripts/lib/documentation.mjs";
@@ -191,7 +192,7 @@ test("dark pages have dark figures, and the switch takes them along", async () =
 for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   test(`axe finds nothing on ${colorScheme} pages`, async () => {
     await withPage(browser, { colorScheme, viewport: { width: 1280, height: 800 } }, async (page) => {
-      for (const name of ["index.html", "embedding.html", "api.html"]) {
+      for (const name of ["index.html", "embedding.html"]) {
         await open(page, name);
         if (name === "index.html") await resultOf(page, 0);
         assert.deepEqual(await audit(page), [], name);
@@ -199,3 +200,10 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     });
   });
 }
+
+test("the licences of what the pages carry lie beside them", async () => {
+  const parts = JSON.parse(await readFile(join(tested.to, "licences.json"), "utf8"));
+  const found = parts.map((/** @type {{name: string}} */ { name }) => name);
+  for (const name of ["@fontsource-variable/inter", "vitepress", "vue"]) assert.ok(found.includes(name), name);
+  JSON.parse(await readFile(join(tested.to, "app/licences.json"), "utf8"));
+});
