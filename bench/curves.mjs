@@ -116,6 +116,11 @@ export default [
     prepare: (dx) => () => dx.paint(amoeba, { width: 2200, height: 1600, pixelRatio: 2, s: 0.4 }),
   },
   {
+    name: "picture alone 800 x 600, patterns",
+    budget: 16,
+    prepare: (dx) => () => dx.paint(amoeba, { ...frame, patterns: true }),
+  },
+  {
     name: "longest call while painting 2200 x 1600, pixel ratio 2",
     budget: 50,
     prepare: (dx) => () => paintInSteps(dx, amoeba),

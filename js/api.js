@@ -1,4 +1,5 @@
 import { DirectrixError, fromModule } from "./errors.js";
+import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
 import { greedyText, setsOf, stepsOf } from "./steps.js";
 import { toText } from "./text.js";
@@ -84,7 +85,11 @@ export function createApi(engine) {
         return painting.picture();
       });
     },
-    svg: (document, options) => ask(() => engine.svg(toText(document), toText(options, "options"))),
+    svg: (document, options) =>
+      ask(() => {
+        const text = toText(document);
+        return engine.svg(text, toText(options, "options"), describe(engine.match(text, false)));
+      }),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),

@@ -168,6 +168,47 @@ fn golden_presets() {
     }
 }
 
+/// A document as it is painted and written with the given options.
+fn drawn(id: &str, options: &str) -> (golden::Picture, String) {
+    let Preset { text, .. } = presets().into_iter().find(|preset| preset.id == id).expect("a preset");
+    let solution = Solve::run(read_text(&text).expect("a valid document")).expect("valid curves");
+    let options = PictureOptions::read(&Json::parse(options).expect("JSON")).expect("valid options");
+    let viewport = options.viewport(&solution.model);
+    let list = figure(&solution, &options.figure(&solution.model), &viewport);
+    let data = paint(&list, &viewport).expect("a picture");
+    let picture = golden::Picture { width: viewport.width, height: viewport.height, data };
+    (picture, to_svg(&list, &viewport, "t", "d"))
+}
+
+#[test]
+fn golden_patterns() {
+    for id in ["three-materials", "void-core"] {
+        let options = r#"{"width": 420, "height": 315, "patterns": true, "layers": ["material"], "s": null}"#;
+        golden::check(&format!("patterns-{id}"), &drawn(id, options).0, golden::SAME_CODE);
+    }
+}
+
+/// Patterns show no colour at all, in pixels and in SVG, and have ink for every material but empty space.
+#[test]
+fn patterns_are_black_and_white() {
+    let options = |patterns: bool| {
+        format!(
+            r#"{{"width": 420, "height": 315, "patterns": {patterns}, "layers": ["material"], "s": null}}"#
+        )
+    };
+    for (id, hatches) in [("three-materials", 3), ("void-core", 1)] {
+        let grey = |picture: &golden::Picture| {
+            picture.data.chunks_exact(4).all(|p| p[0].abs_diff(p[1]) <= 6 && p[1].abs_diff(p[2]) <= 6)
+        };
+        let (picture, svg) = drawn(id, &options(true));
+        assert!(grey(&picture), "{id}");
+        assert!(!svg.contains("Gradient"), "{id}");
+        assert_eq!(svg.matches("fill-rule=\"evenodd\"").count(), hatches, "{id}");
+        let (picture, svg) = drawn(id, &options(false));
+        assert!(!grey(&picture) && svg.contains("Gradient"), "{id}");
+    }
+}
+
 /// In-between curves are white on the band; with the material hidden they were white on the white canvas, and ruling lines
 /// were black on the black one.
 #[test]

@@ -2,6 +2,7 @@
 import { cp } from "node:fs/promises";
 import { join } from "node:path";
 import { modulesReady } from "./modules.mjs";
+import { writeOffline } from "./offline.mjs";
 import { dist, root } from "./paths.mjs";
 import { run } from "./run.mjs";
 import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
@@ -9,7 +10,10 @@ import { thumbnails } from "./thumbnails.mjs";
 
 /** @type {import("./stamp.mjs").Made} */
 const made = {
-  from: ["www", "js", "vite.config.js", "vite.embed.config.js", "package.json", "package-lock.json"].map((path) => join(root, path)),
+  from: [
+    ...["www", "js", "vite.config.js", "vite.embed.config.js", "package.json", "package-lock.json"],
+    ...["CHANGELOG.md", "scripts/lib/offline.mjs"],
+  ].map((path) => join(root, path)),
   to: [dist],
 };
 
@@ -27,6 +31,8 @@ const page = {
     await run(process.execPath, [vite, "build", "--logLevel", "warn"], { log });
     await run(process.execPath, [vite, "build", "--config", "vite.embed.config.js", "--logLevel", "warn"], { log });
     await cp(join(root, "www/presets"), join(dist, "presets"), { recursive: true });
+    // Last, as it lists every file.
+    await writeOffline(dist);
     await mark("page", made, before);
   },
 };

@@ -6,6 +6,7 @@ use super::closed_bspline::ClosedBSpline;
 use super::cone::Cone;
 use super::flatten::reach_squared;
 use super::sample::Samples;
+use crate::geom::order_by_number;
 use glam::DVec2;
 
 /// How fine adaptive samples are.
@@ -56,12 +57,12 @@ pub fn sample_adaptively(curve: &ClosedBSpline, fineness: Fineness) -> (Samples,
             _ => break sampler.all_corners,
         }
     };
-    stretches.sort_unstable_by(|a, b| a.start.s.total_cmp(&b.start.s));
-    let parameters: Vec<f64> = stretches.iter().map(|stretch| stretch.start.u).collect();
+    let order = order_by_number(stretches.len(), |i| stretches[i].start.s);
+    let parameters: Vec<f64> = order.iter().map(|&i| stretches[i].start.u).collect();
     let samples = Samples {
         points: parameters.iter().map(|&u| curve.point(u)).collect(),
         normals: parameters.iter().map(|&u| curve.normal(u)).collect(),
-        arc: stretches.iter().map(|stretch| stretch.start.s).collect(),
+        arc: order.iter().map(|&i| stretches[i].start.s).collect(),
         length: sampler.arc_length.total(),
         parameters,
     };

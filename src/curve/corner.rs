@@ -6,6 +6,7 @@ use super::bezier::Bezier;
 use super::closed_bspline::ClosedBSpline;
 use super::cone::Cone;
 use super::nearest::nearest_of;
+use crate::geom::order_by_number;
 
 /// Smallest turn in degrees that makes a corner. Control points written with six digits leave turns of about
 /// 1e-4 where a smooth join was meant; no picture shows a hundredth of a degree.
@@ -94,8 +95,7 @@ impl ClosedBSpline {
             let cusp = cusp(piece);
             found.extend(cusp.and_then(|(u, tangents)| self.corner(u, tangents)));
         }
-        found.sort_unstable_by(|a, b| a.u.total_cmp(&b.u));
-        found
+        order_by_number(found.len(), |i| found[i].u).into_iter().map(|i| found[i]).collect()
     }
 
     fn corner(&self, u: f64, tangents: Tangents) -> Option<Corner> {

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::bezier::Bezier;
 use super::closed_bspline::ClosedBSpline;
+use crate::geom::order_by_number;
 
 /// Relative difference of squared distances that counts as rounding noise. Without it a point in the middle of
 /// a nearly circular curve would have every piece halved to the end.
@@ -83,12 +84,14 @@ impl Patch {
 pub(super) fn nearest_of(pieces: Vec<Bezier>) -> Candidate {
     let mut best = Candidate { u: pieces[0].lo, distance_sq: pieces[0].points[0].length_squared() };
     let deepest = (1.0 / SHORTEST).log2() as u32;
-    let mut open: Vec<_> = pieces.into_iter().map(|piece| Patch::new(piece, 0)).collect();
-    for patch in &open {
+    let whole: Vec<_> = pieces.into_iter().map(|piece| Patch::new(piece, 0)).collect();
+    for patch in &whole {
         best.improve(&patch.piece, 0.0);
         best.improve(&patch.piece, 1.0);
     }
-    open.sort_unstable_by(|a, b| b.lower_bound.total_cmp(&a.lower_bound));
+    let order = order_by_number(whole.len(), |i| whole[i].lower_bound);
+    let mut whole: Vec<Option<Patch>> = whole.into_iter().map(Some).collect();
+    let mut open: Vec<Patch> = order.into_iter().rev().filter_map(|i| whole[i].take()).collect();
     while let Some(patch) = open.pop() {
         let noise = NOISE * patch.distances.iter().copied().fold(0.0, f64::max).min(best.distance_sq);
         if patch.lower_bound >= best.distance_sq - noise {

@@ -271,13 +271,14 @@ fn blend(node: &Node<'_>) -> Read<Blend> {
 }
 
 fn view(node: &Node<'_>, materials: usize) -> Read<View> {
-    node.only(&["layers", "center", "span", "s", "isoMaterial"])?;
+    node.only(&["layers", "center", "span", "s", "isoMaterial", "patterns"])?;
     Ok(View {
         layers: node.get("layers")?.map(|n| layers(&n)).transpose()?,
         center: node.get("center")?.map(|n| center(&n)).transpose()?,
         span: node.get("span")?.map(|n| n.within(1e-9..=LARGEST)).transpose()?,
         s: node.get("s")?.map(|n| n.within(0.0..=1.0)).transpose()?,
         iso_material: node.get("isoMaterial")?.map(|n| n.index(materials, "material")).transpose()?,
+        patterns: node.get("patterns")?.map(|n| n.flag()).transpose()?,
     })
 }
 

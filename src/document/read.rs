@@ -260,6 +260,7 @@ mod tests {
         expect_at(Code::Range, "view.s", "/view/s", json!(1.5));
         expect_at(Code::Range, "view.isoMaterial", "/view/isoMaterial", json!(2));
         expect_at(Code::Type, "view.isoMaterial", "/view/isoMaterial", json!(-1));
+        expect_at(Code::Type, "view.patterns", "/view/patterns", json!("yes"));
         expect_at(Code::Range, "view.layers[0]", "/view/layers", json!(["rulings"]));
     }
 }

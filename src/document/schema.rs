@@ -339,6 +339,9 @@ pub struct View {
     /// Index of the material whose lines of equal fraction are shown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub iso_material: Option<usize>,
+    /// Whether hatches stand in for the colours of the materials.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub patterns: Option<bool>,
 }
 
 /// Layers of the picture. The two curves are always drawn.

@@ -3,6 +3,7 @@
 mod band;
 mod bounds;
 mod deepest_point;
+mod order;
 mod orient;
 mod polygon;
 mod quadrature;
@@ -12,6 +13,7 @@ mod shown;
 pub use band::BandMatrix;
 pub use bounds::Bounds;
 pub use deepest_point::deepest_point;
+pub use order::{order_by_number, order_by_pair};
 pub use orient::{orient2d, segment_crossing, segments_meet};
 pub use polygon::{Location, first_contact, first_self_contact, locate, signed_area};
 pub use quadrature::{GAUSS_16, GaussLegendre};

@@ -5,6 +5,7 @@ use super::lattice::Lattice;
 use super::row::{Candidate, Wedges, ranked_lines};
 use super::visibility::Sight;
 use super::{Bound, Problem, Totals, measure, prune, prune_as_printed};
+use crate::geom::order_by_pair;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -204,8 +205,9 @@ impl Greedy {
     fn matching(&mut self) -> Matching {
         let (a, b) = self.problem.counts();
         let prune = if self.printed.removal { prune_as_printed } else { prune };
-        let mut lines = prune(&self.growth, a, b);
-        lines.sort_unstable_by_key(|line| (line.from, line.lifted));
+        let kept = prune(&self.growth, a, b);
+        let order = order_by_pair(kept.len(), |i| [kept[i].from as i64, kept[i].lifted]);
+        let lines: Vec<RulingLine> = order.into_iter().map(|i| kept[i]).collect();
         let bound = Bound::new(&self.problem, &self.best);
         let totals = measure(&self.problem, &lines, bound);
         let orphans = self

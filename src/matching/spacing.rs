@@ -3,6 +3,7 @@
 use super::Outline;
 use super::place::{end_at, shares_of};
 use crate::curve::{ArcLength, ClosedBSpline};
+use crate::geom::order_by_number;
 
 /// Distance, in shares of arc length, between the two samples of a corner: far above rounding, and far below what an integral to 1e-4
 /// notices.
@@ -55,8 +56,9 @@ impl Spacing {
         });
         let even = even.map(|measure| self.share(measure));
         // Each with the place whose normal it has.
-        let mut places: Vec<(f64, f64)> = even.map(|share| (share, share)).chain(sides).collect();
-        places.sort_unstable_by(|p, q| p.0.total_cmp(&q.0));
+        let found: Vec<(f64, f64)> = even.map(|share| (share, share)).chain(sides).collect();
+        let order = order_by_number(found.len(), |i| found[i].0);
+        let mut places: Vec<(f64, f64)> = order.into_iter().map(|i| found[i]).collect();
         places.dedup_by(|next, before| next.0 - before.0 < APART / 2.0);
         let next = places.iter().map(|place| place.0).skip(1).chain([1.0]);
         let end = |share: f64| end_at(&self.curve, &self.arc_length, share);

@@ -61,7 +61,8 @@ pub fn trace(problem: &Problem, growth: &[RulingLine]) -> Trace {
     let (wedges, mut sight) = (Wedges::new(problem), Sight::new(problem.outlines()));
     let mut candidates: Vec<Candidate> =
         (0..a).flat_map(|from| ranked_lines(problem, &wedges, &mut sight, from, 0..b)).collect();
-    candidates.sort_unstable_by(|p, q| q.compare(p));
+    candidates.sort_unstable_by(Candidate::compare);
+    candidates.reverse();
     let (mut rejected, mut step) = (Vec::new(), 0);
     for Candidate { line, .. } in &candidates {
         if step == growth.len() {
@@ -103,7 +104,8 @@ pub fn vertex_sets(problem: &Problem, growth: &[RulingLine], outline: usize, ver
             .flat_map(|from| ranked_lines(problem, &wedges, &mut sight, from, vertex..vertex + 1))
             .collect(),
     };
-    ranked.sort_unstable_by(|p, q| q.compare(p));
+    ranked.sort_unstable_by(Candidate::compare);
+    ranked.reverse();
     let seen = |Candidate { line, .. }: &Candidate| {
         let (at, lifted) = lifted(line);
         let is_new = growth.iter().all(|old| (old.from, old.to) != (line.from, line.to));

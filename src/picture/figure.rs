@@ -1,11 +1,11 @@
 //! The picture of a solved document.
 
-use super::{Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
 use crate::curve::ClosedBSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::{Problem, RulingLine};
 use crate::material::{Oklab, mix_colors};
-use crate::morph::{Band, unit_cells};
+use crate::morph::{Band, Ruling, unit_cells};
 use glam::DVec2;
 
 /// What to show of a solved document.
@@ -23,6 +23,8 @@ pub struct FigureOptions {
     pub line: Option<usize>,
     /// Index of the material whose lines of equal fraction are shown; of one that is not there are none.
     pub iso_material: usize,
+    /// Whether hatches stand in for the colours of the materials.
+    pub patterns: bool,
 }
 
 /// Chord error of the drawn curves in device pixels: below what anti-aliasing shows.
@@ -32,6 +34,9 @@ const NORMAL_LENGTH: f64 = 14.0;
 /// Radius of the ring round a vertex without a line, and size of the cross at a witness, in CSS pixels.
 const RING_RADIUS: f32 = 5.0;
 const CROSS_SIZE: f32 = 11.0;
+/// Distance on the curves from one ruling of a hatched band to the next, in CSS pixels, and the change of a fraction that no two pass over.
+const RULING_STEP: f64 = 12.0;
+const MIX_STEP: f64 = 0.1;
 /// Pictures whose shorter side is less than this, in CSS pixels, have thinner lines and no sample dots.
 const SMALL: f64 = 420.0;
 
@@ -48,6 +53,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         theme,
         is_small,
         on_band: band.is_some()
+            && !options.patterns
             && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
         outlines: outlines(solution, CHORD_ERROR / viewport.scale),
@@ -125,6 +131,10 @@ impl Drawing<'_> {
     }
 
     fn material(&mut self, band: &Band) {
+        if self.options.patterns {
+            self.patterns(band);
+            return;
+        }
         let colors: Vec<Oklab> =
             self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect();
         let mesh = if self.shows(LayerName::UnitCells) {
@@ -135,6 +145,22 @@ impl Drawing<'_> {
             return;
         };
         self.list.push("material", Item::Mesh { mesh, outline: self.outlines.clone(), opacity: 1.0 });
+    }
+
+    /// One hatch for each material; empty space has none.
+    fn patterns(&mut self, band: &Band) {
+        let blends = if self.shows(LayerName::UnitCells) {
+            cell_blends(band, self.solution.model.document().blend.stages)
+        } else if self.shows(LayerName::Material) {
+            band_blends(band, RULING_STEP * self.unit)
+        } else {
+            return;
+        };
+        let used = |&index: &usize| blends.mixes.iter().any(|mix| mix.fractions()[index] > 0.0);
+        let solid = self.solution.model.materials().iter().enumerate().filter(|(_, material)| !material.void);
+        let materials = solid.map(|(index, _)| index).filter(used).collect();
+        let (outline, color) = (self.outlines.clone(), self.theme.boundary.color);
+        self.list.push("material", Item::Hatch { blends, materials, outline, color });
     }
 
     fn in_betweens(&mut self, band: &Band) {
@@ -281,4 +307,45 @@ fn flat_cells(band: &Band, stages: usize, colors: &[Oklab]) -> Mesh {
         mesh.triangles.extend([[start, start + 1, start + 2], [start, start + 2, start + 3]]);
     }
     mesh
+}
+
+/// The band as a strip of triangles with compositions. Rulings nearer to the one before than `step` at both ends are passed over, unless
+/// a fraction would change much: hatches are many polygons.
+fn band_blends(band: &Band, step: f64) -> Blends {
+    let mut blends = Blends::default();
+    let mut before: Option<&Ruling> = None;
+    for ruling in band.rulings() {
+        let is_next = before.is_none_or(|last| {
+            let far = last.from.distance(ruling.from).max(last.to.distance(ruling.to)) >= step;
+            let fractions = |ruling: &Ruling, end: usize| ruling.ends[end].fractions().to_vec();
+            let mixed = |end: usize| {
+                let pairs = fractions(last, end).into_iter().zip(fractions(ruling, end));
+                pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) >= MIX_STEP
+            };
+            far || mixed(0) || mixed(1)
+        });
+        if is_next {
+            blends.vertices.extend([ruling.from, ruling.to]);
+            blends.mixes.extend(ruling.ends.iter().cloned());
+            before = Some(ruling);
+        }
+    }
+    let count = blends.vertices.len() as u32;
+    for this in (0..count).step_by(2) {
+        let next = (this + 2) % count;
+        blends.triangles.extend([[this, this + 1, next], [next, this + 1, next + 1]]);
+    }
+    blends
+}
+
+/// The band as unit cells, each of its mean composition.
+fn cell_blends(band: &Band, stages: usize) -> Blends {
+    let mut blends = Blends::default();
+    for cell in unit_cells(band, stages) {
+        let start = blends.vertices.len() as u32;
+        blends.vertices.extend(cell.corners);
+        blends.mixes.extend(vec![cell.composition; 4]);
+        blends.triangles.extend([[start, start + 1, start + 2], [start, start + 2, start + 3]]);
+    }
+    blends
 }

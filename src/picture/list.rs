@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::PaintError;
+use super::hatch::Blends;
 use crate::material::{Color, Oklab};
 
 /// Largest stroke width, radius or dash that is painted, in CSS pixels.
@@ -106,6 +107,17 @@ pub enum Item {
         /// Opacity, 0 to 1.
         opacity: f32,
     },
+    /// Hatches that tell the fractions of materials: the angle which, the share of the area that is covered how much.
+    Hatch {
+        /// The triangles.
+        blends: Blends,
+        /// Indices of the materials that have lines.
+        materials: Vec<usize>,
+        /// Closed rings round the triangles, even-odd, as of a mesh.
+        outline: Path,
+        /// Colour of the lines.
+        color: Color,
+    },
     /// Discs of one size on the screen.
     Dots {
         /// Middle points in document units.
@@ -207,6 +219,11 @@ impl Item {
             }
             Self::Stroke { path, style } => stroke(style).and_then(|()| rings(path)),
             Self::Fill { path, opacity: value, .. } => opacity(*value).and_then(|()| rings(path)),
+            Self::Hatch { blends, outline, .. } => {
+                finite(&blends.vertices)?;
+                rings(outline)?;
+                check_mesh(layer, blends.vertices.len(), blends.mixes.len(), &blends.triangles)
+            }
             Self::Dots { centers, radius_px, opacity: value, .. } => {
                 pixels("radius", *radius_px)?;
                 opacity(*value)?;
@@ -224,11 +241,7 @@ impl Item {
 
 impl Mesh {
     fn check(&self, layer: &str) -> Result<(), PaintError> {
-        let vertices = self.vertices.len();
-        if self.colors.len() != vertices {
-            let colors = self.colors.len();
-            return Err(PaintError::MeshColors { layer: layer.to_owned(), colors, vertices });
-        }
+        check_mesh(layer, self.vertices.len(), self.colors.len(), &self.triangles)?;
         for color in &self.colors {
             if let Some(&value) = [color.l, color.a, color.b].iter().find(|v| !(-10.0..=10.0).contains(*v)) {
                 return Err(PaintError::Item {
@@ -239,11 +252,19 @@ impl Mesh {
                 });
             }
         }
-        for (triangle, corners) in self.triangles.iter().enumerate() {
-            if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices) {
-                return Err(PaintError::MeshIndex { layer: layer.to_owned(), triangle, index, vertices });
-            }
-        }
         Ok(())
     }
+}
+
+/// Refuses a mesh without a colour for each vertex, or whose triangles name others.
+fn check_mesh(layer: &str, vertices: usize, colors: usize, triangles: &[[u32; 3]]) -> Result<(), PaintError> {
+    if colors != vertices {
+        return Err(PaintError::MeshColors { layer: layer.to_owned(), colors, vertices });
+    }
+    for (triangle, corners) in triangles.iter().enumerate() {
+        if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices) {
+            return Err(PaintError::MeshIndex { layer: layer.to_owned(), triangle, index, vertices });
+        }
+    }
+    Ok(())
 }

@@ -40,6 +40,8 @@ pub(super) struct PlacedMesh {
     /// Every vertex snapped to the subpixel raster, `None` when it is too far.
     snapped: Vec<Option<Snapped>>,
     triangles: Vec<[u32; 3]>,
+    /// Whether the three values of a vertex are shares of the levels themselves, and no cone roots.
+    is_plain: bool,
 }
 
 /// A vertex on the screen: pixels and colour.
@@ -93,8 +95,21 @@ impl PlacedMesh {
         let pairs = mesh.vertices.iter().zip(&mesh.colors);
         let vertices: Vec<Vertex> =
             pairs.map(|(&p, &color)| Vertex { at: viewport.place(p), color: cones(color) }).collect();
-        let snapped = vertices.iter().map(|v| v.snap(&shader)).collect();
-        Self { vertices, snapped, triangles: mesh.triangles.clone() }
+        let snapped = vertices.iter().map(|v| v.snap(&shader, false)).collect();
+        Self { vertices, snapped, triangles: mesh.triangles.clone(), is_plain: false }
+    }
+
+    /// Places triangles with three shares at each vertex, which become the levels of the pixels, linear between them.
+    pub(super) fn plain(
+        shares: impl Iterator<Item = (DVec2, [f64; 3])>,
+        triangles: &[[u32; 3]],
+        viewport: &Viewport,
+    ) -> Self {
+        let shader = Shader::new();
+        let vertices: Vec<Vertex> =
+            shares.map(|(p, color)| Vertex { at: viewport.place(p), color }).collect();
+        let snapped = vertices.iter().map(|v| v.snap(&shader, true)).collect();
+        Self { vertices, snapped, triangles: triangles.to_vec(), is_plain: true }
     }
 
     /// The corners of the triangles.
@@ -114,8 +129,8 @@ impl Layer {
         for corners in &mesh.triangles {
             let [a, b, c] = corners.map(|i| i as usize);
             match (mesh.snapped[a], mesh.snapped[b], mesh.snapped[c]) {
-                (Some(a), Some(b), Some(c)) => self.triangle(a, b, c),
-                _ => self.far_triangle([a, b, c].map(|i| mesh.vertices[i])),
+                (Some(a), Some(b), Some(c)) => self.triangle(a, b, c, mesh.is_plain),
+                _ => self.far_triangle([a, b, c].map(|i| mesh.vertices[i]), mesh.is_plain),
             }
         }
     }
@@ -206,7 +221,12 @@ impl Layer {
                     let x = x.clamp(columns.start, columns.end - 1);
                     let index = self.window.index(x, y.clamp(rows.start, rows.end - 1));
                     if coverage[index] > 0 && self.pixels[index][3] == 0 {
-                        self.pixels[index] = self.shader.pixel(vertex.color);
+                        self.pixels[index] = if mesh.is_plain {
+                            let [r, g, b] = vertex.color.map(|share| (share * 255.0).round() as u8);
+                            [r, g, b, 255]
+                        } else {
+                            self.shader.pixel(vertex.color)
+                        };
                     }
                 }
             }
@@ -214,22 +234,21 @@ impl Layer {
     }
 
     /// A triangle that reaches too far to be snapped: cut to a polygon, then filled as a fan.
-    fn far_triangle(&mut self, corners: [Vertex; 3]) {
+    fn far_triangle(&mut self, corners: [Vertex; 3], is_plain: bool) {
         let mut ring = corners.to_vec();
         for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
             // Just inside the reach, so that the new corners can be snapped whatever they round to.
             ring = cut(&ring, |v| 0.999 * SNAP_REACH + sign * v.at[axis], Vertex::lerp);
         }
         for i in 2..ring.len() {
-            if let (Some(a), Some(b), Some(c)) =
-                (ring[0].snap(&self.shader), ring[i - 1].snap(&self.shader), ring[i].snap(&self.shader))
-            {
-                self.triangle(a, b, c);
+            let snap = |i: usize| ring[i].snap(&self.shader, is_plain);
+            if let (Some(a), Some(b), Some(c)) = (snap(0), snap(i - 1), snap(i)) {
+                self.triangle(a, b, c, is_plain);
             }
         }
     }
 
-    fn triangle(&mut self, a: Snapped, b: Snapped, c: Snapped) {
+    fn triangle(&mut self, a: Snapped, b: Snapped, c: Snapped, is_plain: bool) {
         let doubled = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         let (b, c) = if doubled < 0 { (c, b) } else { (b, c) };
         let [columns, rows] =
@@ -249,7 +268,8 @@ impl Layer {
         let falls = [b.y > a.y, c.y > b.y, a.y > c.y];
         let columns = Columns { left: pair(&sides, rises), right: pair(&sides, falls), within: columns };
         let rows = top..bottom;
-        if self.shader.is_flat([&a.color, &b.color, &c.color], [&a.levels, &b.levels, &c.levels]) {
+        if is_plain || self.shader.is_flat([&a.color, &b.color, &c.color], [&a.levels, &b.levels, &c.levels])
+        {
             let plane = Plane::new([a, b, c], |v| v.levels);
             let (origin, per_x, per_y) = (fixed(plane.at(0, 0)), fixed(plane.per_x), fixed(plane.per_y));
             self.walk(columns, rows, |pixels, x, y| {
@@ -335,11 +355,12 @@ impl Vertex {
     }
 
     /// The vertex on the subpixel raster, or `None` when it is too far.
-    fn snap(&self, shader: &Shader) -> Option<Snapped> {
+    fn snap(&self, shader: &Shader, is_plain: bool) -> Option<Snapped> {
         let near = self.at.abs().max_element() <= SNAP_REACH;
         let snap = |v: f64| (v * SUBPIXELS + 0.5).floor() as i64;
         near.then(|| {
-            let levels = shader.levels(self.color);
+            let levels =
+                if is_plain { self.color.map(|share| share * 255.0) } else { shader.levels(self.color) };
             Snapped { x: snap(self.at.x), y: snap(self.at.y), color: self.color, levels }
         })
     }

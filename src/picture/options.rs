@@ -19,6 +19,7 @@ pub struct PictureOptions {
     s: Option<Option<f64>>,
     line: Option<usize>,
     iso_material: Option<usize>,
+    patterns: Option<bool>,
 }
 
 /// Room along the sides of a fitted picture, in CSS pixels: handles and labels lie on the outermost control points.
@@ -42,6 +43,7 @@ impl PictureOptions {
             "s",
             "line",
             "isoMaterial",
+            "patterns",
         ])?;
         let side = |name| Ok(root.need(name)?.within(1.0..=4096.0)?.floor() as u32);
         let given = |name| Ok::<_, DocumentError>(root.get(name)?.filter(|node| !node.is_null()));
@@ -61,6 +63,7 @@ impl PictureOptions {
             },
             line: given("line")?.map(|n| n.count()).transpose()?,
             iso_material: given("isoMaterial")?.map(|n| n.count()).transpose()?,
+            patterns: given("patterns")?.map(|n| n.flag()).transpose()?,
         })
     }
 
@@ -114,6 +117,7 @@ impl PictureOptions {
             s: self.s.unwrap_or_else(|| view.and_then(|view| view.s)),
             line: self.line,
             iso_material: self.iso_material.or_else(|| view.and_then(|view| view.iso_material)).unwrap_or(0),
+            patterns: self.patterns.or_else(|| view.and_then(|view| view.patterns)).unwrap_or(false),
         }
     }
 }
@@ -163,6 +167,7 @@ mod tests {
             (r#"{"width": 8, "height": "6"}"#, Code::Type, "options.height"),
             (r#"{"width": 8, "height": 6, "s": 2}"#, Code::Range, "options.s"),
             (r#"{"width": 8, "height": 6, "colour": 2}"#, Code::UnknownField, "options.colour"),
+            (r#"{"width": 8, "height": 6, "patterns": 1}"#, Code::Type, "options.patterns"),
             (r#"{"width": 8, "height": 6, "theme": "blue"}"#, Code::Range, "options.theme"),
             (r#"{"width": 8, "height": 6, "layers": ["grid", "x"]}"#, Code::Range, "options.layers[1]"),
             (r#"{"width": 8, "height": 6, "view": {"center": [0]}}"#, Code::Type, "options.view.center"),

@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::clip::{Frame, Piece};
 use super::coverage::alternate;
 use super::grid::{GridLine, grid_lines};
+use super::hatch::{Blends, Lines};
 use super::mesh::PlacedMesh;
 use super::window::Window;
 use super::{Item, Path, StrokeStyle, Viewport};
@@ -38,6 +39,8 @@ pub(super) enum Shape {
     Fill { rings: Vec<Vec<DVec2>>, window: Window, ink: Ink },
     /// A mesh inside an outline, if it has one.
     Mesh { mesh: PlacedMesh, outline: Option<Vec<Vec<DVec2>>>, window: Window, opacity: u32 },
+    /// The lines of up to three materials, whose fractions are the values of a plain mesh.
+    Hatch { mesh: PlacedMesh, lines: Vec<Lines>, outline: Option<Vec<Vec<DVec2>>>, window: Window, ink: Ink },
 }
 
 impl Ink {
@@ -62,6 +65,10 @@ pub(super) fn shapes(item: &Item, viewport: &Viewport) -> Vec<Shape> {
         Item::Stroke { path, style } => vec![placing.stroke(path, style)],
         Item::Fill { path, color, opacity } => {
             placing.fill(path, Ink::new(*color, *opacity)).into_iter().collect()
+        }
+        Item::Hatch { blends, materials, outline, color } => {
+            let ink = Ink::new(*color, 1.0);
+            materials.chunks(3).filter_map(|three| placing.hatch(blends, three, outline, ink)).collect()
         }
         Item::Dots { centers, radius_px, color, opacity } => {
             let pieces = placing.marks(centers, *radius_px).map(Piece::dot).collect();
@@ -136,12 +143,30 @@ impl Placing<'_> {
 
     fn mesh(self, mesh: PlacedMesh, outline: &Path, opacity: f32) -> Option<Shape> {
         let opacity = (opacity * 255.0).round() as u32;
+        let (outline, window) = self.extent(&mesh, outline)?;
+        Some(Shape::Mesh { mesh, outline, window, opacity })
+    }
+
+    fn hatch(self, blends: &Blends, materials: &[usize], outline: &Path, ink: Ink) -> Option<Shape> {
+        let shares = |vertex: usize| {
+            std::array::from_fn(|k| {
+                materials.get(k).map_or(0.0, |&material| blends.fraction(vertex, material))
+            })
+        };
+        let vertices = blends.vertices.iter().enumerate().map(|(i, &p)| (p, shares(i)));
+        let mesh = PlacedMesh::plain(vertices, &blends.triangles, self.viewport);
+        let lines = materials.iter().map(|&material| Lines::new(material, self.viewport)).collect();
+        let (outline, window) = self.extent(&mesh, outline)?;
+        Some(Shape::Hatch { mesh, lines, outline, window, ink })
+    }
+
+    /// The outline of a mesh on the screen, if it has one, and the pixels that the mesh may touch.
+    fn extent(self, mesh: &PlacedMesh, outline: &Path) -> Option<(Option<Vec<Vec<DVec2>>>, Window)> {
         if outline.rings.is_empty() {
-            let window = self.window().around(mesh.corners())?;
-            return Some(Shape::Mesh { mesh, outline: None, window, opacity });
+            return Some((None, self.window().around(mesh.corners())?));
         }
         let (rings, window) = self.polygons(outline)?;
-        Some(Shape::Mesh { mesh, outline: Some(rings), window, opacity })
+        Some((Some(rings), window))
     }
 
     /// Grid lines on whole pixels, so that they stay crisp; no pixel twice, so that crossings do not show.

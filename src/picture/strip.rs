@@ -6,6 +6,7 @@ use super::blend::{blend, compose_block, straighten};
 use super::clip::Piece;
 use super::coverage::coverage;
 use super::dash::{Stretch, dashes};
+use super::hatch;
 use super::lines::{Lines, is_clear};
 use super::mesh::{Layer, PlacedMesh};
 use super::shape::{Ink, Shape};
@@ -44,6 +45,9 @@ impl Strip {
             Shape::Fill { rings, window, ink } => self.fill(rings, window, *ink),
             Shape::Mesh { mesh, outline, window, opacity } => {
                 self.mesh(mesh, outline.as_deref(), window, *opacity);
+            }
+            Shape::Hatch { mesh, lines, outline, window, ink } => {
+                self.hatch(mesh, lines, outline.as_deref(), window, *ink);
             }
         }
     }
@@ -94,18 +98,7 @@ impl Strip {
     }
 
     fn mesh(&mut self, mesh: &PlacedMesh, outline: Option<&[Vec<DVec2>]>, window: &Window, opacity: u32) {
-        let Some(shown) = window.in_rows(self.rows.clone()) else { return };
-        let rows = shown.rows.start.saturating_sub(OVERLAP)..shown.rows.end + OVERLAP;
-        let Some(window) = window.in_rows(rows) else { return };
-        let mut layer = Layer::new(window);
-        layer.draw(mesh);
-        let covers = if let Some(rings) = outline {
-            let covers = coverage(rings, &layer.window);
-            layer.complete(&covers, mesh);
-            covers
-        } else {
-            vec![255; layer.pixels.len()]
-        };
+        let Some((shown, layer, covers)) = self.layer(mesh, outline, window) else { return };
         let width = shown.width();
         for row in shown.rows.clone() {
             let (start, first) = (self.start(row, &shown), layer.window.index(shown.columns.start, row));
@@ -116,6 +109,55 @@ impl Strip {
                 compose_block(targets, pixels, covers, opacity);
             }
         }
+    }
+
+    fn hatch(
+        &mut self,
+        mesh: &PlacedMesh,
+        lines: &[hatch::Lines],
+        outline: Option<&[Vec<DVec2>]>,
+        window: &Window,
+        ink: Ink,
+    ) {
+        let Some((shown, layer, covers)) = self.layer(mesh, outline, window) else { return };
+        for row in shown.rows.clone() {
+            let (start, first) = (self.start(row, &shown), layer.window.index(shown.columns.start, row));
+            for (k, column) in shown.columns.clone().enumerate() {
+                let (shares, cover) = (layer.pixels[first + k], covers[first + k]);
+                if cover == 0 || shares[3] == 0 {
+                    continue;
+                }
+                let center = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+                let bare =
+                    lines.iter().zip(shares).filter(|(_, share)| *share > 0).fold(1.0, |bare, (l, share)| {
+                        bare * (1.0 - l.coverage(center, f64::from(share) / 255.0))
+                    });
+                let strength = (f64::from(cover) * (1.0 - bare)).round() as u8;
+                let at = start + k * 4;
+                lay(&mut self.data[at..at + 4], ink, strength);
+            }
+        }
+    }
+
+    /// A mesh in these rows and some round them: the pixels that show, all that are painted, and how much of each the outline covers.
+    fn layer(
+        &self,
+        mesh: &PlacedMesh,
+        outline: Option<&[Vec<DVec2>]>,
+        window: &Window,
+    ) -> Option<(Window, Layer, Vec<u8>)> {
+        let shown = window.in_rows(self.rows.clone())?;
+        let rows = shown.rows.start.saturating_sub(OVERLAP)..shown.rows.end + OVERLAP;
+        let mut layer = Layer::new(window.in_rows(rows)?);
+        layer.draw(mesh);
+        let covers = if let Some(rings) = outline {
+            let covers = coverage(rings, &layer.window);
+            layer.complete(&covers, mesh);
+            covers
+        } else {
+            vec![255; layer.pixels.len()]
+        };
+        Some((shown, layer, covers))
     }
 
     /// Where the pixels of a window start in a row.

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::clip::Frame;
 use super::grid::{GridLine, grid_lines};
+use super::hatch::hatch;
 use super::svg_shade::{Patch, Shade, mean_color, patches};
 use super::{DisplayList, Item, Mesh, Path, StrokeStyle, Viewport};
 use crate::material::Color;
@@ -99,6 +100,14 @@ impl<'a> Writer<'a> {
                     self.add(&format!(
                         "<path fill=\"{color}\" fill-rule=\"evenodd\"{opacity} d=\"{data}\"/>\n"
                     ));
+                }
+            }
+            Item::Hatch { blends, materials, color, .. } => {
+                for &material in materials {
+                    let data = self.polygons(&hatch(blends, material, self.viewport));
+                    if !data.is_empty() {
+                        self.add(&format!("<path fill=\"{color}\" fill-rule=\"evenodd\" d=\"{data}\"/>\n"));
+                    }
                 }
             }
             Item::Dots { centers, radius_px, color, opacity } => {

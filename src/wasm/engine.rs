@@ -98,10 +98,10 @@ impl Engine {
         Ok(Painting::new(strips, viewport))
     }
 
-    /// The picture as SVG.
-    pub fn svg(&mut self, text: &str, options: &str) -> Result<String, JsValue> {
+    /// The picture as SVG, with a description for those who do not see it.
+    pub fn svg(&mut self, text: &str, options: &str, description: &str) -> Result<String, JsValue> {
         let (solution, viewport, list) = self.picture(text, false, options)?;
-        Ok(to_svg(&list, &viewport, &solution.model.document().title, &describe(&solution)))
+        Ok(to_svg(&list, &viewport, &solution.model.document().title, description))
     }
 
     /// The view that shows all of a document in a picture.
@@ -186,24 +186,4 @@ fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
 
 fn refused_picture(message: &str) -> JsValue {
     to_js(&DocumentError::new(Code::Range, "options", message))
-}
-
-/// The result of a figure in one sentence.
-fn describe(solution: &Solution) -> String {
-    match solution.lines() {
-        Some((_, _, totals)) => {
-            let eta =
-                totals.eta.map_or_else(String::new, |eta| format!(", eta {}", (eta * 1e3).round() / 1e3));
-            format!(
-                "{} ruling lines between two curves, {} crossings, {} blocked{eta}",
-                totals.count, totals.crossings, totals.blocked
-            )
-        }
-        None => match solution.model.curves().len() {
-            0 => "No curves yet",
-            1 => "One curve",
-            _ => "Two curves that are not matched",
-        }
-        .to_owned(),
-    }
 }

@@ -98,7 +98,7 @@ export const COMMANDS = [
     keys: ["?"],
     run: async () => (await import("./frame/shortcut-sheet.js")).openShortcuts(),
   },
-  { name: "about", topic: "document", text: words.about, run: async () => (await import("./frame/about.js")).openAbout() },
+  { name: "about", topic: "document", text: words.about, run: async (app) => (await import("./frame/about.js")).openAbout(app) },
 
   { name: "mode-figure", topic: "mode", text: words.figure, keys: ["1"], run: (app) => enter(app, "figure", words.figure) },
   { name: "mode-steps", topic: "mode", text: words.steps, keys: ["2"], run: (app) => enter(app, "steps", words.steps) },

@@ -112,6 +112,7 @@ function assemble(kernel, store, restored, kept) {
     size: { width: 0, height: 0 },
     layers: [],
     isoMaterial: 0,
+    patterns: false,
     stageLabels: false,
     composing: false,
     key: null,
@@ -206,7 +207,7 @@ function run(app) {
     bar,
     createInspector(app),
     createStatus(app),
-    later(app, () => true, () => import("./modes/modes.js").then(({ createModes }) => createModes)),
+    later(app, () => true, () => import("./after/after.js").then(({ createAfter }) => createAfter)),
   ];
   listenToPointer(app, handles, probe, reading);
   listenToKeys(app, handles);

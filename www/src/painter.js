@@ -101,7 +101,7 @@ export function createPainter(app) {
 
   /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {
-    const { size, view, layers, theme, s, probe, line, isoMaterial, composing } = ui.value;
+    const { size, view, layers, theme, s, probe, line, isoMaterial, patterns, composing } = ui.value;
     const full = window.devicePixelRatio || 1;
     const moving = Math.min(full, Math.sqrt(MOVING_PIXELS / (size.width * size.height)));
     const most = LARGEST / Math.max(size.width, size.height);
@@ -113,6 +113,7 @@ export function createPainter(app) {
       s,
       line: probe?.line ?? line,
       isoMaterial,
+      patterns,
     };
   }
 

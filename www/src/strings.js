@@ -402,6 +402,8 @@ export const strings = {
       unconnected: "Unconnected",
       isoComposition: "Equal mix",
     },
+    patterns: "Patterns",
+    patternsHelp: "Hatches in place of colours: the angle tells the material, the density its fraction",
     isoMaterial: "Equal mix of",
     isoMaterialField: "Material of the lines of equal mix",
   },

@@ -66,6 +66,7 @@
  * @property {number} [span] document units across the shorter side of the picture
  * @property {number} [s]
  * @property {number} [isoMaterial]
+ * @property {boolean} [patterns]
  *
  * @typedef {object} CurvesDocument
  * @property {1} directrix

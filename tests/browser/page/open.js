@@ -72,6 +72,8 @@ export async function openRaw(t, { init, hash = "", headers, context = {} }) {
 async function newPage(t, options, init) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   t.after(() => context.close());
+  // Keeping the page for use without a network has tests of its own, and is much work for the machine.
+  await context.addInitScript("Object.defineProperty(navigator, 'serviceWorker', { value: undefined });");
   if (init) await context.addInitScript(init);
   const page = await context.newPage();
   page.setDefaultTimeout(15_000);

@@ -114,6 +114,7 @@ export function createCompare(app, { stage, aside, status }) {
       theme: ui.value.theme,
       s: null,
       line: null,
+      patterns: ui.value.patterns,
     };
     const key = JSON.stringify(options);
     if (!force && key === asked && askedFor && hasSamePicture(askedFor, document)) return;
@@ -301,7 +302,7 @@ function textsOf(document, method, result, chosen) {
       : words.noBlend(faults);
   const nodes = wrong === null ? lineOf(document, method, result) : [wrong];
   const count = words.spokenCount(shownLines(match).length);
-  const spoken = words.spokenPicture([feasible ? "" : words.infeasible, count, mark]);
+  const spoken = words.spokenPicture([feasible ? "" : words.infeasible, count, feasible ? words.sound : "", mark]);
   return { name, line: nodes, failed: !feasible, eta, spoken };
 }
 

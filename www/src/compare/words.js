@@ -32,6 +32,7 @@ export const words = {
   noBlend: (/** @type {string[]} */ faults) => `${faults.join(", ")}: no blend drawn`,
   none: "no lines",
   infeasible: "infeasible",
+  sound: "none crossing, none blocked",
   current: "chosen in this document",
   needsTwo: "A comparison of methods needs two curves.",
 

@@ -20,7 +20,7 @@ export function splitView(document) {
   const layers = view?.layers?.filter((name) => LAYERS.some((layer) => layer === name));
   return {
     document: /** @type {CurvesDocument} */ (rest),
-    ui: { layers: layers ?? firstLayers(), s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0 },
+    ui: { layers: layers ?? firstLayers(), s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0, patterns: view?.patterns ?? false },
     place: view?.center && view.span ? { center: view.center, span: view.span } : null,
   };
 }
@@ -47,7 +47,7 @@ function firstLayers() {
  * @returns {CurvesDocument}
  */
 export function documentWithView(app, document = app.store.document) {
-  const { view, layers, s, size, isoMaterial } = app.ui.value;
+  const { view, layers, s, size, isoMaterial, patterns } = app.ui.value;
   const place = view ? { center: view.center, span: Math.min(size.width, size.height) / view.scale } : {};
-  return { ...document, view: { layers, s, ...(isoMaterial > 0 ? { isoMaterial } : {}), ...place } };
+  return { ...document, view: { layers, s, ...(isoMaterial > 0 ? { isoMaterial } : {}), ...(patterns ? { patterns } : {}), ...place } };
 }

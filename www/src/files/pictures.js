@@ -67,6 +67,6 @@ export function svgOf(app, appearance) {
  * @returns {Omit<PaintOptions, "width" | "height">}
  */
 function options(app, { theme, transparent }) {
-  const { view, layers, s, isoMaterial } = app.ui.value;
-  return { ...(view ? { view } : {}), layers, theme, s, isoMaterial, line: null, background: !transparent };
+  const { view, layers, s, isoMaterial, patterns } = app.ui.value;
+  return { ...(view ? { view } : {}), layers, theme, s, isoMaterial, patterns, line: null, background: !transparent };
 }

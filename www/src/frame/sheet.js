@@ -7,10 +7,9 @@ import { strings } from "../strings.js";
 const STOPS = /** @type {const} */ (["low", "half", "full"]);
 /** @typedef {(typeof STOPS)[number]} Stop */
 
-/** Heights of the stops as the style sheet has them: a bar, a part of the window, all but the bar above. */
-const LOW = 88;
-const HALF = 0.487;
-const TOP = 60;
+/** Heights of the stops as the style sheets have them: a bar, a part of the window, all but the bar above; of a low window others. */
+const HIGH_WINDOW = { low: 88, half: 0.487, top: 60 };
+const LOW_WINDOW = { low: 44, half: 0.64, top: 44 };
 
 /** @param {HTMLButtonElement} panelButton */
 export function createSheet(panelButton) {
@@ -18,6 +17,7 @@ export function createSheet(panelButton) {
   const inspector = find("#inspector");
   const status = find("#status");
   const narrow = matchMedia("(width < 600px)");
+  const flat = matchMedia("(height < 480px)");
   const grip = h(
     "button",
     { type: "button", class: "grip", "aria-label": strings.sheet.resize, "data-grip": "" },
@@ -34,9 +34,25 @@ export function createSheet(panelButton) {
     root.style.removeProperty("--sheet");
     attribute(grip, "aria-expanded", String(next !== "low"));
   }
-  rest("half");
+  rest(flat.matches ? "low" : "half");
 
-  const height = (/** @type {Stop} */ at) => ({ low: LOW, half: innerHeight * HALF, full: innerHeight - TOP })[at];
+  const measures = () => (flat.matches ? LOW_WINDOW : HIGH_WINDOW);
+  /** @param {Stop} at */
+  const height = (at) => {
+    const { low, half, top } = measures();
+    return { low, half: innerHeight * half, full: innerHeight - top }[at];
+  };
+
+  // What has the focus is never below the sheet, nor in the part of it that a low stop cuts off.
+  find("#stage").addEventListener("focusin", ({ target }) => {
+    if (!narrow.matches || !(target instanceof Element)) return;
+    const { bottom } = target.getBoundingClientRect();
+    const clear = [...STOPS].reverse().find((at) => at === "low" || bottom <= innerHeight - height(at));
+    if (clear && STOPS.indexOf(clear) < STOPS.indexOf(stop)) rest(clear);
+  });
+  inspector.addEventListener("focusin", ({ target }) => {
+    if (narrow.matches && stop === "low" && target !== grip && target instanceof Element && target.matches(":focus-visible")) rest("half");
+  });
 
   grip.addEventListener("click", () => {
     if (moved) return;
@@ -64,7 +80,7 @@ export function createSheet(panelButton) {
       const by = down.clientY - event.clientY;
       if (!moved && Math.abs(by) < 4) return;
       moved = true;
-      const now = Math.min(height("full"), Math.max(LOW, start + by));
+      const now = Math.min(height("full"), Math.max(height("low"), start + by));
       root.style.setProperty("--sheet", `${now}px`);
     };
     const up = () => {

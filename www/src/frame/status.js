@@ -150,7 +150,7 @@ function remark(app, match, slow) {
     const again = note.text === strings.errors.trap ? [command("retry", words.tryAgain, app.retry)] : [];
     return [reason(note.text), ...again];
   }
-  if (note) return [label(note.text)];
+  if (note) return [label(note.text), ...(note.command ? [command(note.command.name, note.command.text, note.command.act)] : [])];
   if (!match) return [];
   if (isIncomplete(match)) {
     const text = label(strings.incomplete.reason[app.store.document.curves.length] ?? "");

@@ -28,6 +28,8 @@ export function layersGroup(app) {
       },
     ),
   }));
+  const patterns = checkBox({ name: "patterns", text: [words.patterns] }, (on) => app.ui.set({ patterns: on }));
+  attribute(patterns.element, "title", words.patternsHelp);
   const snap = checkBox({ name: "snap", text: [words.snap] }, () => void runCommand(app, "snap"));
   const select = h("select", { "aria-label": words.isoMaterialField, "data-select": "iso-material" });
   select.addEventListener("change", () => app.ui.set({ isoMaterial: Number(select.value) }));
@@ -35,12 +37,13 @@ export function layersGroup(app) {
   return {
     name: "layers",
     heading: words.heading,
-    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), snap.element), material),
+    body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), patterns.element, snap.element), material),
     phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
     render() {
-      const { layers, isoMaterial, snap: snaps } = app.ui.value;
+      const { layers, isoMaterial, patterns: hatched, snap: snaps } = app.ui.value;
       const { materials } = app.store.document;
       for (const { name, set } of boxes) set(layers.includes(name));
+      patterns.set(hatched);
       snap.set(snaps);
       material.hidden = !layers.includes("isoComposition");
       while (select.options.length < materials.length) select.append(h("option", {}));

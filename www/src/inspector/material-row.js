@@ -9,6 +9,7 @@ import { newRun } from "../controls/run.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
 import { curveName } from "../state/app.js";
+import { setHatch } from "../state/hatch.js";
 import { assignMaterial, changeMaterial, holds, isUsed, moveMaterial, removeMaterial } from "../state/materials.js";
 import { inSentence, strings } from "../strings.js";
 
@@ -53,6 +54,7 @@ export function materialRow(app, index, show) {
       isOpen = open;
       const material = document.materials[index];
       swatch.style.setProperty("--color", material.color);
+      setHatch(swatch, app.ui.value.patterns, index, material);
       swatch.classList.toggle("void", material.void === true);
       attribute(swatch, "aria-label", words.details(material.name));
       attribute(swatch, "title", words.details(material.name));

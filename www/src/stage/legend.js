@@ -13,6 +13,7 @@ import { currentMatch } from "../state/app.js";
 import { shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { triangle } from "../controls/triangle.js";
+import { setHatch } from "../state/hatch.js";
 import { inTriangle } from "../state/mix.js";
 import { holds, usedMaterials } from "../state/materials.js";
 
@@ -30,23 +31,25 @@ export function createLegend(app) {
 
   return {
     render() {
-      const { layers } = app.ui.value;
+      const { layers, patterns } = app.ui.value;
       const { document } = app.store;
       const range = layers.includes("value") ? valueRange(app) : null;
       const used = layers.includes("material") ? usedMaterials(document) : [];
-      const pairs = used.length === 2 ? blends(document) : [];
+      const pairs = used.length === 2 && !patterns ? blends(document) : [];
       mark(used);
-      const key = JSON.stringify([used, pairs, document.materials, range]);
+      const key = JSON.stringify([used, pairs, document.materials, range, patterns]);
       if (key === drawn) return;
       drawn = key;
       const names = used.map((i) => document.materials[i]);
-      if (used.length === 3) colors.draw(names.map(({ color }) => color));
+      const asTriangle = used.length === 3 && !patterns;
+      const asList = used.length > 3 || (used.length > 1 && patterns);
+      if (asTriangle) colors.draw(names.map(({ color }) => color));
       element.hidden = used.length < 2 && !range;
       element.replaceChildren(
         ...pairs.map(([a, b]) => strip(document, a, b)),
         ...(pairs.length > 0 ? [scale([percent(0), percent(0.5), percent(1)])] : []),
-        ...(used.length === 3 ? [corners(names)] : []),
-        ...(used.length > 3 ? [list(names)] : []),
+        ...(asTriangle ? [corners(names)] : []),
+        ...(asList ? [list(names, used, patterns)] : []),
         ...(range ? valueStrip(range) : []),
       );
     },
@@ -55,7 +58,7 @@ export function createLegend(app) {
   /** Shows the probed mix in the triangle. @param {number[]} used */
   function mark(used) {
     const { probe } = app.ui.value;
-    dot.hidden = !probe || used.length !== 3;
+    dot.hidden = !probe || used.length !== 3 || app.ui.value.patterns;
     if (!probe || dot.hidden) return;
     const [x, y] = inTriangle(used.map((i) => probe.fractions[i] ?? 0));
     dot.style.left = `${x * SIDE}px`;
@@ -74,12 +77,13 @@ export function createLegend(app) {
   }
 }
 
-/** @param {Material[]} names */
-function list(names) {
-  const rows = names.slice(0, NAMES).map(({ name, color }) => {
+/** @param {Material[]} names @param {number[]} indices @param {boolean} patterns */
+function list(names, indices, patterns) {
+  const rows = names.slice(0, NAMES).map((material, i) => {
     const swatch = h("span", { class: "mix-swatch" });
-    swatch.style.backgroundColor = color;
-    return h("div", { class: "legend-name" }, swatch, h("span", {}, name));
+    swatch.style.setProperty("--color", material.color);
+    setHatch(swatch, patterns, indices[i] ?? 0, material);
+    return h("div", { class: "legend-name" }, swatch, h("span", {}, material.name));
   });
   const more = names.length > NAMES ? [h("div", { class: "legend-name" }, strings.legend.more(names.length - NAMES))] : [];
   return h("div", { class: "legend-list" }, ...rows, ...more);

@@ -6,6 +6,7 @@
  * @typedef {object} Note A sentence in the status line that stands until the next edit.
  * @property {"plain" | "error"} tone
  * @property {string} text
+ * @property {{name: string, text: string, act: () => void}} [command] what can be done about it
  *
  * @typedef {object} Ui
  * @property {"figure" | "steps" | "compare"} mode what the canvas is for
@@ -17,6 +18,7 @@
  * @property {Size} size of the canvas
  * @property {LayerName[]} layers
  * @property {number} isoMaterial index of the material whose lines of equal fraction are shown
+ * @property {boolean} patterns hatches stand in for the colours of the materials
  * @property {boolean} stageLabels whether the in-betweens have names
  * @property {boolean} composing whether composition keys stand on the curves in place of the control points
  * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key

@@ -20,10 +20,12 @@
  * @property {Vertex | null} aim the vertex under the pointer, or aimed at by a guess
  * @property {number | null} guess a wrong guess: vertex of the second curve
  */
-import { attribute, svg } from "../dom.js";
+import { describe } from "../../../js/sentence.js";
+import { attribute, svg, write } from "../dom.js";
 import { outline, signedArea } from "../spline.js";
 import { toScreen } from "../view.js";
 import { vertexName } from "./film.js";
+import { words } from "./words.js";
 
 /** Distance of the arc of valid vertices from the curve, and of names from their vertices, CSS pixels. */
 const ARC = 9;
@@ -56,7 +58,8 @@ export function createPicture() {
     aim: path("step-aim"),
   };
   const names = svg("g", { class: "step-names" });
-  const element = svg("svg", { class: "step-picture", role: "img" }, ...Object.values(layers), names);
+  const result = svg("desc");
+  const element = svg("svg", { class: "step-picture", role: "img" }, result, ...Object.values(layers), names);
   /** @type {WeakMap<Curve, Point[]>} */
   const known = new WeakMap();
 
@@ -81,6 +84,7 @@ export function createPicture() {
     },
     /** @param {Shown} shown */
     draw({ view, size, document, steps, scene, hidden, focus, sets, aim, guess }) {
+      write(result, words.outcome(describe(steps)));
       const at = (/** @type {Point} */ point) => toScreen(view, size, point);
       const sample = (/** @type {number} */ curve, /** @type {number} */ vertex) => steps.samples[curve]?.points[vertex] ?? [0, 0];
       const lines = (/** @type {Line[]} */ all) => all.map(({ ends: [p, q] }) => segment(at(p), at(q))).join("");

@@ -6,6 +6,7 @@ const counted = (count, one, many) => `${count}${NARROW}${count === 1 ? one : ma
 
 export const words = {
   picture: (/** @type {string} */ title, /** @type {string} */ step) => `${title}, ${step}`,
+  outcome: (/** @type {string} */ result) => `The growth ends in ${result}.`,
   keyboard: "Vertices",
   keyboardHelp: "Left and right arrows choose the next vertex of the curve, up and down the other curve. Escape goes back to the line of the step.",
   transport: "Steps",

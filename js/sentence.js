@@ -1,0 +1,68 @@
+/**
+ * Results in words, for those who do not see the picture: screen readers, captions, the description inside an SVG. Imports nothing, so
+ * that page, element and package say the same.
+ */
+
+/**
+ * What a matching is worth, in one sentence without a full stop, such as `44 lines, none crossing, none blocked, eta 0.981`.
+ *
+ * It speaks of one-to-one lines where there are such. What fails is counted; what holds is said once.
+ *
+ * @param {import("./directrix.js").Match} match
+ * @returns {string}
+ */
+export function describe({ diagnostics, totals, samples, gap, gapKind }) {
+  const shown = totals.pairs ?? totals.lines;
+  if (samples.length < 2) return samples.length === 0 ? "No curve yet" : "One curve, not matched yet";
+  if (!shown) return `The two curves are not matched${diagnostics[0] ? `: ${diagnostics[0].message}` : ""}`;
+  const { count, crossings, blocked, uncovered, eta } = shown;
+  const bare = uncovered[0].length + uncovered[1].length;
+  const through = diagnostics.find(({ code }) => code === "occluded")?.lines?.length ?? 0;
+  const gaps = diagnostics.filter(({ code }) => code === "unverified-gap").length;
+  return [
+    counted(count, "line", "lines"),
+    `${crossings || "none"} crossing`,
+    `${blocked || "none"} blocked`,
+    bare > 0 && `${counted(bare, "sample", "samples")} without a line`,
+    through > 0 && `${counted(through, "more line passes", "more lines pass")} through a curve`,
+    gaps > 0 && `${counted(gaps, "gap keeps", "gaps keep")} lines that share ends`,
+    eta !== null && `eta ${eta.toFixed(3)}`,
+    gapKind === "lattice" && gap !== null && gap >= 5e-4 && `${(gap * 100).toFixed(1)} % below the optimum`,
+  ]
+    .filter(Boolean)
+    .join(", ");
+}
+
+/**
+ * The curves of a document, in one sentence each: degree, control points, width and height, and what they are made of at their first key.
+ *
+ * @param {import("./directrix.js").CurvesDocument} document
+ * @returns {string}
+ */
+export function describeCurves({ curves, materials = [], unit = "mm" }) {
+  return curves
+    .map(({ name, degree, points, composition = [] }, index) => {
+      const [width, height] = [0, 1].map((axis) => extent(points.map((point) => point[axis] ?? 0)));
+      const held = new Set(composition.flatMap(({ mix }) => mix.flatMap((share, i) => (share > 0 ? [i] : []))));
+      const made = materials.filter((_, i) => held.has(i)).map((material) => material.name);
+      return (
+        `${name || (index === 0 ? "First curve" : "Second curve")}: degree ${degree}, ` +
+        `${counted(points.length, "control point", "control points")} within ${width} by ${height} ${unit}` +
+        `${made.length > 0 ? `, of ${list(made)}` : ""}.`
+      );
+    })
+    .join(" ");
+}
+
+/** @param {number} count @param {string} one @param {string} many */
+const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+
+/** @param {string[]} names */
+const list = (names) => [names.slice(0, -1).join(", "), ...names.slice(-1)].filter((part) => part !== "").join(" and ");
+
+/** From the least to the greatest value, to three figures. @param {number[]} values */
+function extent(values) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  return Number((high - low).toPrecision(3)).toString();
+}
