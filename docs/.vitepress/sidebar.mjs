@@ -3,10 +3,10 @@ import { readFileSync, readdirSync } from "node:fs";
 
 const docs = new URL("../", import.meta.url);
 
-/** Pages by the topic they belong to; one that is not listed stands at the end of the last topic. */
+/** Pages by the topic they belong to, as far as they are there; one that is not listed stands at the end of the last topic. */
 const topics = [
   { text: "Guide", pages: ["index", "what-it-is", "first-steps", "five-pictures"] },
-  { text: "Use", pages: ["page", "embedding", "api", "format"] },
+  { text: "Use", pages: ["page", "embedding", "api", "format", "lessons"] },
   { text: "Background", pages: ["architecture", "reference-curves", "benchmarks"] },
 ];
 
@@ -23,7 +23,8 @@ export function sidebar() {
   const listed = new Set(topics.flatMap(({ pages }) => pages));
   const others = present.filter((name) => !listed.has(name)).sort();
   return topics.map(({ text, pages }, index) => {
-    const names = index === topics.length - 1 ? [...pages, ...others] : pages;
+    const names = pages.filter((name) => present.includes(name));
+    if (index === topics.length - 1) names.push(...others);
     return { text, items: names.map((name) => ({ text: titleOf(name), link: name === "index" ? "/" : `/${name}` })) };
   });
 }
