@@ -1,6 +1,6 @@
 /** The documentation as a site: the pages of `docs`, built by VitePress, with the application beside them. */
 import { cp, mkdir, rm } from "node:fs/promises";
-import { join, relative } from "node:path";
+import { basename, join, relative } from "node:path";
 import { dist, root, work } from "./paths.mjs";
 import { run } from "./run.mjs";
 import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
@@ -44,11 +44,12 @@ export const documentation = ({ base, to }) => ({
       to: [to],
       with: [base, to],
     };
-    if (await isFresh("documentation", made)) return "fresh";
+    const stamp = `documentation-${basename(to)}`;
+    if (await isFresh(stamp, made)) return "fresh";
     const before = await inputs(made);
-    await unmark("documentation");
+    await unmark(stamp);
     await layApplication();
     await run(process.execPath, [vitepress, "build", "docs", "--base", base, "--outDir", to], { log });
-    await mark("documentation", made, before);
+    await mark(stamp, made, before);
   },
 });
