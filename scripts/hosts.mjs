@@ -1,8 +1,8 @@
 /**
- * `npm run hosts`: tries the snippets of docs/embedding.md. Builds the site of every folder in `tests/hosts` with its generator, serves it on
- * one port and the application on another, and looks in a browser whether the figures paint and open in the application. Not part of
- * `npm test`, as it takes minutes and programs that are not the project's: mdbook, mkdocs and sphinx-build are taken from the PATH, and
- * npm installs the others. `npm run hosts -- NAME ...` tries only these.
+ * `npm run hosts`: tries the snippets of docs/embedding.md. Builds the site of every folder in `tests/hosts` with its generator,
+ * serves it on one port and the application on another, and looks in a browser whether the figures paint and open in the
+ * application. Not part of `npm test`, as it takes minutes and programs that are not the project's: mdbook, mkdocs and
+ * sphinx-build are taken from the PATH, and npm installs the others. `npm run hosts -- NAME ...` tries only these.
  */
 import assert from "node:assert/strict";
 import { cp, readFile, readdir, writeFile } from "node:fs/promises";
