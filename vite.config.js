@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { lessons } from "./scripts/lib/lesson-plugin.mjs";
 import { licences } from "./scripts/lib/licences.mjs";
 
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
@@ -10,7 +11,7 @@ export default defineConfig({
   base: "./",
   worker: { format: "es" },
   define: { __DIRECTRIX_VERSION__: JSON.stringify(version) },
-  plugins: [licences()],
+  plugins: [lessons(), licences()],
   build: {
     outDir: "../dist",
     emptyOutDir: true,

@@ -88,7 +88,7 @@ export function createApi(engine) {
     svg: (document, options) =>
       ask(() => {
         const text = toText(document);
-        return engine.svg(text, toText(options, "options"), describe(engine.match(text, false)));
+        return whole(engine, "svg").svg(text, toText(options, "options"), describe(engine.match(text, false)));
       }),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),

@@ -460,6 +460,7 @@ export interface Directrix {
   steps(document: DocumentInput): Steps;
   sets(document: DocumentInput, options: SetsOptions): VertexSets;
   paint(document: DocumentInput, options: PictureOptions): Picture;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   svg(document: DocumentInput, options: PictureOptions): string;
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;

@@ -13,6 +13,7 @@ const made = {
   from: [
     ...["www", "js", "vite.config.js", "vite.embed.config.js", "package.json", "package-lock.json"],
     ...["CHANGELOG.md", "scripts/lib/offline.mjs"],
+    ...["lesson", "lesson-facts", "lesson-plugin", "lesson-text"].map((name) => `scripts/lib/${name}.mjs`),
   ].map((path) => join(root, path)),
   to: [dist],
 };

@@ -20,7 +20,9 @@ mod scalar;
 mod shade;
 mod shape;
 mod strip;
+#[cfg(feature = "svg")]
 mod svg;
+#[cfg(feature = "svg")]
 mod svg_shade;
 mod theme;
 mod viewport;
@@ -34,6 +36,7 @@ pub use list::{DisplayList, Item, Layer, Mesh, Path, StrokeStyle};
 pub use options::PictureOptions;
 pub use painting::{Painting, paint};
 pub use scalar::viridis;
+#[cfg(feature = "svg")]
 pub use svg::to_svg;
 pub use theme::{Cased, Theme};
 pub use viewport::{Margins, Viewport};

@@ -6,7 +6,7 @@ use super::json::parse;
 use super::painting::Painting;
 use super::results::{MatchResult, ViewResult, cells, isolines, probe, sets, stages, steps, to_value};
 use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Memory, Solution, Solve};
-use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure, to_svg};
+use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure};
 use glam::DVec2;
 use std::rc::Rc;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
@@ -98,12 +98,6 @@ impl Engine {
         Ok(Painting::new(strips, viewport))
     }
 
-    /// The picture as SVG, with a description for those who do not see it.
-    pub fn svg(&mut self, text: &str, options: &str, description: &str) -> Result<String, JsValue> {
-        let (solution, viewport, list) = self.picture(text, false, options)?;
-        Ok(to_svg(&list, &viewport, &solution.model.document().title, description))
-    }
-
     /// The view that shows all of a document in a picture.
     pub fn fit(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
         let options =
@@ -127,7 +121,7 @@ impl Engine {
 }
 
 impl Engine {
-    fn picture(
+    pub(super) fn picture(
         &mut self,
         text: &str,
         coarse: bool,

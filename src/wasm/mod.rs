@@ -12,6 +12,8 @@ mod import;
 mod json;
 mod painting;
 mod results;
+#[cfg(feature = "svg")]
+mod svg;
 
 use js_sys::Reflect;
 use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};

@@ -6,6 +6,7 @@ import { DirectrixError, load } from "directrix";
 
 const root = new URL("../../", import.meta.url);
 const dx = await load({ module: "figure" });
+const full = await load();
 const preset = JSON.parse(await readFile(new URL("www/presets/amoeba.json", root), "utf8"));
 /** Its lines from sample to sample, as they grow. */
 const amoeba = { ...preset, matching: { ...preset.matching, method: "greedy", oneToOne: false } };
@@ -95,7 +96,6 @@ test("coarse matching leaves the refinement out until it is asked for", () => {
 });
 
 test("a line is explained by its parts, its rank and its rivals", async () => {
-  const full = await load({ module: "full" });
   for (const document of [amoeba, preset]) {
     const match = full.match(document);
     const toEnds = match.pairs.length > 0;
@@ -209,11 +209,12 @@ test("pictures have the size asked for and show the view they say", () => {
   assert.deepEqual([...picture.data.slice(0, 4)].map((level) => level > 200), [true, true, true, true]);
   const bare = dx.paint(amoeba, { width: 320, height: 200, layers: [], background: false });
   assert.equal(bare.data[3], 0, "transparent without a background");
-  const svg = dx.svg({ ...amoeba, title: "<b>&" }, { width: 320, height: 200 });
+  const svg = full.svg({ ...amoeba, title: "<b>&" }, { width: 320, height: 200 });
   assert.match(svg, /^<svg/);
   assert.match(svg, /&lt;b&gt;&amp;/);
   assert.ok(!svg.includes("<b>"));
   assert.ok(svg.length < 400_000, `${svg.length} bytes`);
+  assert.equal(refused(() => dx.svg(amoeba, { width: 320, height: 200 })).code, "not-in-module");
 });
 
 test("a drawing in progress shows what is there and says what is missing", () => {
@@ -227,7 +228,7 @@ test("a drawing in progress shows what is there and says what is missing", () =>
     assert.deepEqual([match.samples.length, match.reversed.length], [curves.length, curves.length]);
     assert.deepEqual([dx.stages(document), dx.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
     assert.equal(dx.paint(document, { width: 60, height: 40 }).data.length, 60 * 40 * 4);
-    assert.match(dx.svg(document, { width: 60, height: 40 }), /^<svg/);
+    assert.match(full.svg(document, { width: 60, height: 40 }), /^<svg/);
     assert.equal(dx.defaults(document).curves.length, curves.length);
   }
   const view = dx.fit({ ...amoeba, curves: [] }, { width: 400, height: 300 });
@@ -332,7 +333,6 @@ test("a job paints in steps and gives the same picture", () => {
 });
 
 test("both modules answer alike", async () => {
-  const full = await load();
   assert.deepEqual(full.match(amoeba), dx.match(amoeba));
   assert.equal(await load(), full, "loaded once");
   await assert.rejects(load({ module: /** @type {any} */ ("half") }), RangeError);

@@ -6,7 +6,7 @@ import { describe, describeCurves, load } from "directrix";
 
 const preset = async (/** @type {string} */ name) =>
   JSON.parse(await readFile(new URL(`../../www/presets/${name}.json`, import.meta.url), "utf8"));
-const dx = await load({ module: "figure" });
+const dx = await load({ module: "full" });
 const amoeba = await preset("amoeba");
 
 test("a verified result states its lines and eta", () => {

@@ -17,6 +17,7 @@ import { listenToShortcuts } from "./frame/shortcuts.js";
 import { createSpeech } from "./frame/speech.js";
 import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
+import { workbenchOf } from "./frame/workbench.js";
 import { firstPreset } from "./gallery/first.js";
 import { listenToPaste } from "./import/paste.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
@@ -57,6 +58,7 @@ async function start() {
   arrival?.begin(app);
   for (const type of ["popstate", "hashchange"]) {
     addEventListener(type, () => {
+      app.ui.set({ workbench: workbenchOf() });
       // Read at once, before the page writes what is open now.
       const entry = restore();
       void sharing().then(({ follow }) => follow(app, entry)).catch(takeHash);
@@ -130,6 +132,7 @@ function assemble(kernel, store, restored, kept) {
     snap: false,
     drawing: false,
     ...restored,
+    workbench: workbenchOf(),
   });
   /** @type {Record<Results>} */
   const results = new Record({ ...NO_RESULTS });
@@ -201,6 +204,16 @@ function run(app) {
     ),
     later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
     later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
+    later(
+      app,
+      ({ workbench }) => workbench === "lessons",
+      () => import("./lessons/lessons.js").then(({ createLessons }) => createLessons),
+      (error) => {
+        location.hash = "#stage";
+        delete root.dataset.workbench;
+        ui.set({ workbench: "curves", note: { tone: "error", text: problem(error).message } });
+      },
+    ),
     createLegend(app),
     createZoom(app),
     morph,

@@ -93,11 +93,13 @@ export function createPainter(app) {
   /** @param {unknown} error */
   function interrupted(error) {
     const { name, code, message } = problem(error);
-    if (name === "AbortError" && ui.value.mode === "compare") return;
+    if (name === "AbortError" && busyElsewhere()) return;
     if (name === "AbortError") ui.set({ note: { tone: "plain", text: strings.status.cancelled } });
     else if (code === "trap") ui.set({ note: { tone: "error", text: strings.errors.trap } });
     else ui.set({ note: { tone: "error", text: message } });
   }
+
+  const busyElsewhere = () => ui.value.mode === "compare" || ui.value.workbench === "lessons";
 
   /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {
@@ -119,9 +121,9 @@ export function createPainter(app) {
 
   /** @param {boolean} [force] */
   function update(force = false) {
-    const { mode, view, size } = ui.value;
-    if (mode === "compare") {
-      // It has pictures of its own, and the worker to itself.
+    const { view, size } = ui.value;
+    if (busyElsewhere()) {
+      // They have pictures of their own, and the worker to themselves.
       clearTimeout(idle);
       askedFor = null;
       lane.cancel();

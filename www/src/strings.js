@@ -165,11 +165,12 @@ export const strings = {
     scaled: (/** @type {string} */ x, /** @type {string} */ y) => (x === y ? `Scaled to ${x}` : `Scaled to ${x} across, ${y} up`),
   },
 
-  workbench: "Curves",
   untitled: "Untitled",
 
   bar: {
     workbenches: "Workbenches",
+    curves: "Curves",
+    lessons: "Lessons",
     title: "Document title",
     edited: "Edited",
     saved: "Saved",

@@ -5,7 +5,7 @@
  */
 import { commandText, commandTitle, runCommand } from "../commands.js";
 import { textField } from "../controls/text-field.js";
-import { find, h, write } from "../dom.js";
+import { attribute, find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
@@ -33,6 +33,8 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
+  const curves = h("a", { href: "#stage" }, words.curves);
+  const lessons = h("a", { href: "#lesson" }, words.lessons);
   const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
   const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
   const theme = iconButton("theme", halfDisc(), words.toDark);
@@ -71,6 +73,7 @@ export function createBar(app) {
       "line",
       { name: "export", text: words.exportItem, act: openExport },
       "line",
+      { name: "lessons", text: words.lessons, act: () => lessons.click() },
       { name: "theme", text: themeLabel(app), act: () => toggleTheme(app) },
     ],
     { wide: true },
@@ -82,7 +85,8 @@ export function createBar(app) {
     h(
       "nav",
       { class: "workbenches", "aria-label": words.workbenches },
-      h("a", { href: "#stage", "aria-current": "page" }, strings.workbench),
+      curves,
+      lessons,
     ),
     h("div", { class: "bar-title" }, title.element, state),
     h(
@@ -106,6 +110,9 @@ export function createBar(app) {
     choose,
     render() {
       const { store } = app;
+      const isLessons = app.ui.value.workbench === "lessons";
+      attribute(curves, "aria-current", isLessons ? null : "page");
+      attribute(lessons, "aria-current", isLessons ? "page" : null);
       title.set(store.document.title || strings.untitled);
       title.input.size = Math.max(4, store.document.title.length);
       write(state, stateWord(app));
@@ -115,7 +122,7 @@ export function createBar(app) {
       theme.title = label;
       theme.setAttribute("aria-label", label);
       const name = `${store.document.title || strings.untitled} · ${strings.app}`;
-      if (document.title !== name) document.title = name;
+      if (!isLessons && document.title !== name) document.title = name;
     },
   };
 }

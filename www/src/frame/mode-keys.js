@@ -1,5 +1,5 @@
 /**
- * Keys of the modes besides the figure, for the sheet of all keys; each mode listens to its own.
+ * Keys of the modes besides the figure, and of the lessons, for the sheet of all keys; each mode listens to its own.
  */
 export const MODE_KEYS = [
   {
@@ -22,6 +22,14 @@ export const MODE_KEYS = [
       { text: "Light the next line in every picture", keys: ["PageDown", "PageUp"] },
       { text: "Go on working with the method", keys: ["Enter"] },
       { text: "Light no line", keys: ["Escape"] },
+    ],
+  },
+  {
+    heading: "Lessons",
+    rows: [
+      { text: "Next step, step before", keys: ["ArrowRight", "ArrowLeft", "PageDown", "PageUp"] },
+      { text: "Present, end the presentation", keys: ["P", "Escape"] },
+      { text: "Reset the figure", keys: ["R"] },
     ],
   },
 ];

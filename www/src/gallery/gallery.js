@@ -5,6 +5,7 @@
  * @import { App } from "../state/app.js"
  * @import { Preset, Topic } from "./presets.js"
  */
+import "../../styles/gallery.css";
 import { h } from "../dom.js";
 import { openDocument } from "../files/open.js";
 import { openPanel } from "../frame/panel.js";

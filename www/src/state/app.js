@@ -10,6 +10,7 @@
  *
  * @typedef {object} Ui
  * @property {"figure" | "steps" | "compare"} mode what the canvas is for
+ * @property {"curves" | "lessons"} workbench follows the address
  * @property {number} step the step of the greedy growth that the mode `steps` shows or would show
  * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit

@@ -31,6 +31,9 @@ export function restore() {
   return document && ui ? { document, edited: edited === true, ui, kept: kept ?? null } : null;
 }
 
+/** Keeps the work in this entry of the history, before another one is gone to with another document. */
+export let keepNow = () => {};
+
 /** @param {App} app */
 export function keep(app) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -53,6 +56,10 @@ export function keep(app) {
     } catch {
       // A document past the browser's own limit is not kept across a reload; the page goes on.
     }
+  };
+  keepNow = () => {
+    takeHash();
+    write();
   };
   const later = () => {
     clearTimeout(timer);

@@ -1,0 +1,281 @@
+/**
+ * Reads lessons: texts in a form that is easy to write (docs/lessons.md), checked field by field, into what the page shows. Everything
+ * that is wrong is said with the file, the line, the step and the field.
+ *
+ * @import { Fact } from "./lesson-text.mjs"
+ *
+ * @typedef {object} Figure
+ * @property {string} document name of a preset, or of a document beside the lessons
+ * @property {[string, unknown][]} changes of the document: path and value
+ * @property {"figure" | "steps"} view
+ * @property {string[] | null} layers of the view `figure`; those of the document when null
+ * @property {number | null} s place of the current in-between curve
+ * @property {Moment | null} step of the view `steps`
+ * @property {"full" | "minimal" | "none"} controls
+ * @property {string} caption HTML
+ * @property {string} alt what the picture shows, in plain words
+ *
+ * @typedef {{phase: "start" | "growth" | "removal" | "insertion" | "end", index: number | "last"}} Moment
+ *   A step of the growth: the index within its phase, from 1. Named so, it stands for something on other curves as well.
+ *
+ * @typedef {object} Question
+ * @property {string} text HTML
+ * @property {{text: string, right: boolean}[]} choices HTML; none where the answer is a vertex of the figure
+ * @property {string} answer HTML: what is right, and why
+ *
+ * @typedef {{kind: "text" | "formula", html: string} | {kind: "question", question: Question} | {kind: "figure"}} Block
+ *   The figure stands where the text says, else before the first question, else at the end.
+ *
+ * @typedef {object} Step
+ * @property {string} title
+ * @property {Figure} figure
+ * @property {Block[]} blocks
+ *
+ * @typedef {object} Lesson
+ * @property {string} name
+ * @property {string} title
+ * @property {string} group heading in the list
+ * @property {number} order in the list
+ * @property {string} summary one sentence
+ * @property {Step[]} steps
+ *
+ * @typedef {{step: number, facts: Fact[]}[]} Facts for each step from 1
+ */
+import { escaped, mathematics, prose } from "./lesson-text.mjs";
+
+const LESSON_FIELDS = ["group", "order", "summary"];
+const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", "controls", "set", "caption", "alt"];
+const LAYERS = [
+  ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
+  "isoComposition",
+];
+/** Paths of a document that `set` may change. */
+const PATH = /^(sampling|matching|blend|curves\.[01])\.[a-zA-Z]+$/;
+
+/**
+ * @param {string} name of the file, without its ending; part of the link to the lesson
+ * @param {string} source
+ * @param {string[]} documents names of the documents that figures may show
+ * @returns {{lesson: Lesson, facts: Facts}}
+ */
+export function readLesson(name, source, documents) {
+  const lines = source.replace(/\r\n/g, "\n").split("\n");
+  let place = `${name}.md`;
+  /** @param {number} at @param {string} field @param {string} message @returns {never} */
+  const refuse = (at, field, message) => {
+    throw new Error(`${place}, line ${at + 1}, ${field}: ${message}`);
+  };
+  if (!/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name)) refuse(0, "name", `a lesson is named in small letters, digits and hyphens, not "${name}"`);
+
+  const starts = lines.flatMap((line, at) => (line.startsWith("## ") ? [at] : []));
+  const head = lines.slice(0, starts[0] ?? lines.length);
+  const title = /^# (.+)$/.exec(head[0] ?? "")?.[1]?.trim();
+  if (!title) return refuse(0, "title", "a lesson begins with a line such as: # What it is about");
+  const { fields, rest } = fieldsOf(head, 1, LESSON_FIELDS, refuse);
+  const after = rest.find(({ line }) => line.trim() !== "");
+  if (after) refuse(after.at, "text", "text belongs to a step, below a line such as: ## First step");
+  const required = (/** @type {string} */ field) => fields.get(field)?.[0]?.value ?? refuse(0, field, "every lesson has one");
+  const [group, summary, order] = [required("group"), required("summary"), Number(required("order"))];
+  if (!(Number.isInteger(order) && order > 0)) refuse(fields.get("order")?.[0]?.at ?? 0, "order", `a whole number from 1, not "${required("order")}"`);
+  if (starts.length === 0) refuse(lines.length - 1, "steps", "a lesson has one step at least, below a line such as: ## First step");
+
+  /** @type {Facts} */
+  const facts = [];
+  const steps = starts.map((from, k) => {
+    const heading = (lines[from] ?? "").slice(3).trim();
+    place = `${name}.md, step ${k + 1} "${heading}"`;
+    if (heading === "") refuse(from, "title", "a step has a title");
+    /** @type {Fact[]} */
+    const own = [];
+    const step = readStep(lines.slice(from + 1, starts[k + 1]), from + 1, documents, own, refuse);
+    facts.push({ step: k + 1, facts: own });
+    return { title: heading, ...step };
+  });
+  return { lesson: { name, title, group, order, summary, steps }, facts };
+}
+
+/** @typedef {(at: number, field: string, message: string) => never} RefuseAt */
+/** @typedef {Map<string, {value: string, at: number}[]>} Fields */
+
+/**
+ * The lines `name: value` at the beginning, and what follows.
+ * @param {string[]} lines
+ * @param {number} skip lines before the first
+ * @param {string[]} known
+ * @param {RefuseAt} refuse
+ * @param {number} [base] number of the first line in the file
+ */
+function fieldsOf(lines, skip, known, refuse, base = 0) {
+  /** @type {Fields} */
+  const fields = new Map();
+  let at = skip;
+  for (; at < lines.length; at += 1) {
+    const found = /^([a-z]+):\s*(.*)$/.exec(lines[at] ?? "");
+    if (!found) break;
+    const [, name = "", value = ""] = found;
+    if (!known.includes(name)) refuse(base + at, name, `there is no such field here; there are: ${known.join(", ")}`);
+    if (value.trim() === "") refuse(base + at, name, "the field is empty");
+    const before = fields.get(name) ?? [];
+    if (before.length > 0 && name !== "set") refuse(base + at, name, "the field stands twice");
+    fields.set(name, [...before, { value: value.trim(), at: base + at }]);
+  }
+  return { fields, rest: lines.slice(at).map((line, k) => ({ line, at: base + at + k })) };
+}
+
+/**
+ * @param {string[]} lines
+ * @param {number} base
+ * @param {string[]} documents
+ * @param {Fact[]} facts grows
+ * @param {RefuseAt} refuse
+ * @returns {{figure: Figure, blocks: Block[]}}
+ */
+function readStep(lines, base, documents, facts, refuse) {
+  const { fields, rest } = fieldsOf(lines, 0, FIGURE_FIELDS, refuse, base);
+  const figure = readFigure(fields, base, documents, facts, refuse);
+  /** @param {string} text @param {number} at @param {string} field */
+  const html = (text, at, field) => {
+    const read = prose(text, figure.view, (message) => refuse(at, field, message));
+    facts.push(...read.facts);
+    return read.html;
+  };
+  /** @type {Block[]} */
+  const blocks = [];
+  for (const { text, at } of paragraphs(rest)) {
+    if (text.startsWith("$$")) {
+      if (!/^\$\$[^$]+\$\$$/.test(text)) refuse(at, "formula", "a formula stands between two lines $$, with no empty line in it");
+      blocks.push({ kind: "formula", html: mathematics(text.slice(2, -2), true, (message) => refuse(at, "formula", message)) });
+    } else if (text === "[figure]") {
+      if (blocks.some(({ kind }) => kind === "figure")) refuse(at, "text", "a step has one figure, whose place is given once");
+      blocks.push({ kind: "figure" });
+    } else if (text.startsWith("? ")) blocks.push({ kind: "question", question: readQuestion(text, at, figure, html, refuse) });
+    else if (text.startsWith("- ")) {
+      const items = text.split(/\n(?=- )/).map((item) => `<li>${html(joined(item.slice(2)), at, "text")}</li>`);
+      blocks.push({ kind: "text", html: `<ul>${items.join("")}</ul>` });
+    } else if (/^(#|>|\||\d+\. |<|---)/.test(text)) refuse(at, "text", `"${text.slice(0, 20)}" is not part of the form of lessons; see docs/lessons.md`);
+    else blocks.push({ kind: "text", html: `<p>${html(joined(text), at, "text")}</p>` });
+  }
+  if (!blocks.some(({ kind }) => kind === "text")) refuse(base, "text", "a step has text");
+  const question = blocks.findIndex(({ kind }) => kind === "question");
+  if (!blocks.some(({ kind }) => kind === "figure")) blocks.splice(question < 0 ? blocks.length : question, 0, { kind: "figure" });
+  return { figure, blocks };
+}
+
+/** @param {{line: string, at: number}[]} lines */
+function paragraphs(lines) {
+  /** @type {{text: string, at: number}[]} */
+  const found = [];
+  let open = false;
+  for (const { line, at } of lines) {
+    if (line.trim() === "") open = false;
+    else if (open) /** @type {{text: string}} */ (found.at(-1)).text += `\n${line.trimEnd()}`;
+    else {
+      found.push({ text: line.trimEnd(), at });
+      open = true;
+    }
+  }
+  return found;
+}
+
+/** Lines of one paragraph as one. @param {string} text */
+const joined = (text) => text.replace(/\s*\n\s*/g, " ").trim();
+
+/**
+ * @param {string} text
+ * @param {number} at
+ * @param {Figure} figure
+ * @param {(text: string, at: number, field: string) => string} html
+ * @param {RefuseAt} refuse
+ * @returns {Question}
+ */
+function readQuestion(text, at, { step }, html, refuse) {
+  const parts = text.split(/\n(?=- \[|= )/);
+  const answers = parts.filter((part) => part.startsWith("= "));
+  const choices = parts.slice(1).filter((part) => part.startsWith("- ["));
+  const [answer] = answers;
+  if (!answer || answers.length > 1 || parts.at(-1) !== answer) return refuse(at, "question", "its last line is the answer with the reason, such as: = Because …");
+  if (choices.some((choice) => !/^- \[[ x]\] \S/.test(choice))) refuse(at, "question", "a choice is written: - [ ] wrong, or: - [x] right");
+  if (choices.length === 0 && step?.phase !== "growth") {
+    refuse(at, "question", "a question without choices asks where the line of a growing step ends, so its figure has the view steps and such a step");
+  }
+  const right = choices.filter((choice) => choice.startsWith("- [x]")).length;
+  if (choices.length > 0 && (choices.length < 2 || right !== 1)) refuse(at, "question", `has two choices at least, one of them right: there are ${choices.length} with ${right} right`);
+  return {
+    text: html(joined((parts[0] ?? "").slice(2)), at, "question"),
+    choices: choices.map((choice) => ({ text: html(joined(choice.slice(6)), at, "question"), right: choice.startsWith("- [x]") })),
+    answer: html(joined(answer.slice(2)), at, "question"),
+  };
+}
+
+/**
+ * @param {Fields} fields
+ * @param {number} base
+ * @param {string[]} documents
+ * @param {Fact[]} facts grows
+ * @param {RefuseAt} refuse
+ * @returns {Figure}
+ */
+function readFigure(fields, base, documents, facts, refuse) {
+  const of = (/** @type {string} */ name) => fields.get(name)?.[0];
+  const required = (/** @type {string} */ name) => of(name) ?? refuse(base, name, "every step has one");
+  /** @template {string} T @param {string} name @param {readonly T[]} values @param {T} other @returns {T} */
+  const oneOf = (name, values, other) => {
+    const given = of(name);
+    if (!given) return other;
+    const value = values.find((each) => each === given.value);
+    return value ?? refuse(given.at, name, `one of ${values.join(", ")}, not "${given.value}"`);
+  };
+  const document = required("figure");
+  if (!documents.includes(document.value)) refuse(document.at, "figure", `there is no document "${document.value}"; there are: ${documents.join(", ")}`);
+  const view = oneOf("view", /** @type {const} */ (["figure", "steps"]), "figure");
+  for (const [name, needed] of /** @type {const} */ ([["layers", "figure"], ["s", "figure"], ["step", "steps"]])) {
+    const given = of(name);
+    if (given && view !== needed) refuse(given.at, name, `belongs to figures of the view ${needed}`);
+  }
+  const layers = of("layers")?.value.split(/\s*,\s*/) ?? null;
+  const unknown = layers?.find((layer) => !LAYERS.includes(layer));
+  if (unknown !== undefined) refuse(of("layers")?.at ?? base, "layers", `there is no layer "${unknown}"; there are: ${LAYERS.join(", ")}`);
+  const s = of("s");
+  if (s && !(Number(s.value) >= 0 && Number(s.value) <= 1)) refuse(s.at, "s", `a number from 0 to 1, not "${s.value}"`);
+  const step = of("step");
+  if (view === "steps" && !step) refuse(base, "step", "a figure of the view steps names one");
+  const caption = required("caption");
+  const told = prose(caption.value, view, (message) => refuse(caption.at, "caption", message));
+  facts.push(...told.facts);
+  const alt = required("alt").value;
+  return {
+    document: document.value,
+    changes: (fields.get("set") ?? []).map(({ value, at }) => readChange(value, at, refuse)),
+    view,
+    layers,
+    s: s ? Number(s.value) : null,
+    step: step ? readMoment(step.value, step.at, refuse) : null,
+    controls: oneOf("controls", /** @type {const} */ (["full", "minimal", "none"]), "minimal"),
+    caption: told.html,
+    alt: escaped(alt) === alt ? alt : refuse(of("alt")?.at ?? base, "alt", "is plain text, without < > & and quotation marks"),
+  };
+}
+
+/** @param {string} text such as `growth 3` @param {number} at @param {RefuseAt} refuse @returns {Moment} */
+function readMoment(text, at, refuse) {
+  const [, end, phase, index] = /^(?:(start|end)|(growth|removal|insertion) ([1-9]\d{0,4}|last))$/.exec(text) ?? [];
+  if (end) return { phase: end === "start" ? "start" : "end", index: 1 };
+  if (!phase) refuse(at, "step", `start, end, or growth, removal or insertion with a number from 1 or with last, not "${text}"`);
+  return { phase: /** @type {Moment["phase"]} */ (phase), index: index === "last" ? "last" : Number(index) };
+}
+
+/**
+ * @param {string} text such as `matching.method = "greedy"`
+ * @param {number} at
+ * @param {RefuseAt} refuse
+ * @returns {[string, unknown]}
+ */
+function readChange(text, at, refuse) {
+  const [, path = "", value = ""] = /^(\S+)\s*=\s*(.+)$/.exec(text) ?? refuse(at, "set", 'is written as a path and a value, such as: matching.method = "greedy"');
+  if (!PATH.test(path)) refuse(at, "set", `"${path}" is no path that a lesson may change: sampling., matching., blend., curves.0. or curves.1. and a field`);
+  try {
+    return [path, JSON.parse(value)];
+  } catch {
+    return refuse(at, "set", `the value ${value} is not JSON: numbers as they are, text in quotation marks`);
+  }
+}

@@ -1,0 +1,192 @@
+/** Lessons: every one is valid and true, and what is wrong with a bad one is said by file, step and field. */
+import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import { basename, join } from "node:path";
+import { test } from "node:test";
+import { load } from "directrix";
+import { FACTS, isTrue } from "../../scripts/lib/lesson-facts.mjs";
+import { documentNamed, documentNames, lessonFolder } from "../../scripts/lib/lesson-plugin.mjs";
+import { readLesson } from "../../scripts/lib/lesson.mjs";
+import { figureDocument, momentOf } from "../../www/src/lessons/document.js";
+import { lengths, phaseAt } from "../../www/src/steps/film.js";
+
+const dx = await load({ module: "full" });
+const documents = await documentNames();
+const names = (await readdir(lessonFolder)).filter((file) => file.endsWith(".md")).map((file) => basename(file, ".md"));
+const sources = new Map(await Promise.all(names.map(async (name) => /** @type {const} */ ([name, await readFile(join(lessonFolder, `${name}.md`), "utf8")]))));
+
+/** @param {string} name */
+const lessonNamed = (name) => readLesson(name, sources.get(name) ?? "", documents);
+
+test("there are lessons, each with a place of its own in the list", () => {
+  for (const name of ["heterogeneous-object", "why-matching", "greedy"]) assert.ok(names.includes(name), name);
+  const orders = names.map((name) => lessonNamed(name).lesson.order);
+  assert.equal(new Set(orders).size, names.length);
+});
+
+for (const name of names) {
+  test(`${name}: every figure is a document that can be shown, and every number in the text is true`, async () => {
+    const { lesson, facts } = lessonNamed(name);
+    let count = 0;
+    for (const [k, { title, figure }] of lesson.steps.entries()) {
+      const document = dx.defaults(figureDocument(await documentNamed(figure.document), figure));
+      if (figure.view === "steps") {
+        const steps = dx.steps(document);
+        const { phase, index = 1 } = figure.step ?? {};
+        const own = lengths(steps);
+        const most = { start: 1, growth: own.growth, removal: own.removal, insertion: own.first + own.second, end: 1 }[phase ?? "end"];
+        assert.ok(index === "last" || index <= most, `${name}, step ${k + 1}: its figure has only ${most} steps of ${phase}`);
+      } else {
+        const { ok } = dx.match(document);
+        const showsFault = figure.layers?.includes("material") === false;
+        assert.ok(ok || showsFault, `${name}, step ${k + 1}: a figure with the layer material has a complete matching`);
+      }
+      for (const { name: fact, arguments: numbers, shown } of facts[k]?.facts ?? []) {
+        const value = /** @type {any} */ (FACTS[fact]).of({ dx, document, view: figure.view }, ...numbers);
+        assert.ok(isTrue(shown, value), `${name}, step ${k + 1} "${title}": {${fact} ${numbers.join(" ")}: ${shown}} is ${value}`);
+        count += 1;
+      }
+    }
+    assert.ok(count >= 5, "the lesson states numbers");
+  });
+
+  test(`${name}: links to lessons lead to steps that there are`, () => {
+    const { lesson } = lessonNamed(name);
+    for (const [, other = "", step] of JSON.stringify(lesson).matchAll(/#lesson=([a-z-]+)&#38;step=(\d+)/g)) {
+      assert.ok(names.includes(other), `there is no lesson ${other}`);
+      assert.ok(Number(step) <= lessonNamed(other).lesson.steps.length);
+    }
+  });
+}
+
+test("mathematics has MathML beside it", () => {
+  const { lesson } = lessonNamed("greedy");
+  assert.match(JSON.stringify(lesson.steps[1]), /<math xmlns=/);
+  assert.match(JSON.stringify(lesson.steps[1]), /katex-display/);
+});
+
+test("a question about a vertex is right about the line of its step", async () => {
+  const { lesson } = lessonNamed("greedy");
+  const asked = lesson.steps.filter(({ blocks }) => blocks.some((block) => block.kind === "question" && block.question.choices.length === 0));
+  assert.ok(asked.length > 0);
+  for (const { figure, blocks } of asked) {
+    const steps = dx.steps(figureDocument(await documentNamed(figure.document), figure));
+    const at = momentOf(steps, figure.step);
+    assert.equal(phaseAt(steps, at).phase, "growth");
+    const line = steps.growth[at - 1];
+    const text = JSON.stringify(blocks.find(({ kind }) => kind === "question")).replace(/<[^>]+>/g, "");
+    assert.ok(text.includes(`p_${line?.from}`) && text.includes(`q_${line?.to}`), `names p${line?.from} and q${line?.to}`);
+  }
+});
+
+test("a moment stands for the nearest step on other curves", () => {
+  const small = dx.steps(/** @type {any} */ (ring(5)));
+  const { growth, removal, first, second } = lengths(small);
+  assert.equal(momentOf(small, { phase: "growth", index: 500 }), growth);
+  assert.equal(momentOf(small, { phase: "growth", index: 2 }), 2);
+  assert.equal(momentOf(small, { phase: "removal", index: "last" }), growth + removal);
+  assert.equal(momentOf(small, { phase: "end", index: 1 }), growth + removal + first + second + 1);
+  assert.equal(momentOf(small, { phase: "start", index: 1 }), 0);
+});
+
+/** Two circles by a few samples. @param {number} count */
+function ring(count) {
+  const curve = (/** @type {number} */ r) => ({ degree: 3, form: "periodic", points: [[r, 0], [0, r], [-r, 0], [0, -r]] });
+  return { directrix: 1, kind: "curves", curves: [curve(10), curve(30)], sampling: { counts: [count, count] }, matching: { method: "greedy" } };
+}
+
+test("numbers in a text are held against the kernel to the digits shown", () => {
+  assert.ok(isTrue("44", 44) && !isTrue("44", 44.2) && !isTrue("44", 45));
+  assert.ok(isTrue("0.969", 0.96926) && !isTrue("0.969", 0.9696) && !isTrue("0.969", 0.9684));
+  assert.ok(isTrue("2.9 %", 0.0288) && !isTrue("2.9 %", 0.0281));
+  assert.ok(!isTrue("many", 3) && !isTrue("1", NaN));
+});
+
+const GOOD = `# A title
+group: Curves
+order: 9
+summary: A sentence.
+
+## One
+figure: amoeba
+caption: What it shows.
+alt: What is seen.
+
+Text with $x$ and a [term](lines).
+
+? Is it so?
+- [x] Yes
+- [ ] No
+= It is.
+`;
+
+test("the page on writing lessons has an example that is one, and all facts", async () => {
+  const page = await readFile(new URL("../../docs/lessons.md", import.meta.url), "utf8");
+  const example = /^```\n(# [^]*?)^```$/m.exec(page)?.[1] ?? "";
+  const { lesson, facts } = readLesson("example", example, documents);
+  const [step] = lesson.steps;
+  assert.ok(step);
+  const document = figureDocument(await documentNamed(step.figure.document), step.figure);
+  for (const { name, arguments: numbers, shown } of facts[0]?.facts ?? []) {
+    assert.ok(isTrue(shown, /** @type {any} */ (FACTS[name]).of({ dx, document, view: "figure" }, ...numbers)), `{${name}: ${shown}}`);
+  }
+  for (const [name, { arguments: count, meaning }] of Object.entries(FACTS)) assert.ok(page.includes(`| \`${name}\` | ${count} | ${meaning} |`), name);
+});
+
+test("the smallest lesson is read", () => {
+  const { lesson } = readLesson("small", GOOD, documents);
+  assert.equal(lesson.steps.length, 1);
+  assert.deepEqual(lesson.steps[0]?.blocks.map(({ kind }) => kind), ["text", "figure", "question"]);
+});
+
+/** @type {[string, (text: string) => string, RegExp][]} */
+const BAD = [
+  ["no title", (t) => t.replace("# A title\n", "\n"), /^small\.md, line 1, title: a lesson begins with/],
+  ["no group", (t) => t.replace("group: Curves\n", ""), /^small\.md, line 1, group: every lesson has one/],
+  ["a field that does not exist", (t) => t.replace("order: 9", "oder: 9"), /^small\.md, line 3, oder: there is no such field here; there are: group, order/],
+  ["an order that is no number", (t) => t.replace("order: 9", "order: last"), /line 3, order: a whole number from 1, not "last"/],
+  ["no step", (t) => t.slice(0, t.indexOf("## One")), /steps: a lesson has one step at least/],
+  ["text before the first step", (t) => t.replace("\n## One", "\nHello\n\n## One"), /line 6, text: text belongs to a step/],
+  ["an unknown document", (t) => t.replace("amoeba", "amöbe"), /small\.md, step 1 "One", line 7, figure: there is no document "amöbe"; there are: amoeba/],
+  ["no caption", (t) => t.replace("caption: What it shows.\n", ""), /step 1 "One", line \d+, caption: every step has one/],
+  ["a field twice", (t) => t.replace("figure: amoeba", "figure: amoeba\nfigure: kidney"), /line 8, figure: the field stands twice/],
+  ["an empty field", (t) => t.replace("alt: What is seen.", "alt:"), /line 9, alt: the field is empty/],
+  ["an unknown layer", (t) => t.replace("caption:", "layers: material, lines\ncaption:"), /layers: there is no layer "lines"; there are: material/],
+  ["an s out of range", (t) => t.replace("caption:", "s: 1.5\ncaption:"), /s: a number from 0 to 1, not "1\.5"/],
+  ["an unknown view", (t) => t.replace("caption:", "view: film\ncaption:"), /view: one of figure, steps, not "film"/],
+  ["a step of the wrong view", (t) => t.replace("caption:", "step: end\ncaption:"), /step: belongs to figures of the view steps/],
+  ["a view without its step", (t) => t.replace("caption:", "view: steps\ncaption:").replace("(lines)", "(winner)"), /step: a figure of the view steps names one/],
+  ["an unknown moment", (t) => t.replace("caption:", "view: steps\nstep: growth 0\ncaption:"), /step: start, end, or growth, removal or insertion with a number/],
+  ["a change of what is not to be changed", (t) => t.replace("caption:", "set: title = 3\ncaption:"), /set: "title" is no path that a lesson may change/],
+  ["a change that is no JSON", (t) => t.replace("caption:", "set: matching.method = greedy\ncaption:"), /set: the value greedy is not JSON/],
+  ["a formula that cannot be set", (t) => t.replace("$x$", "$\\frac{x$"), /step 1 "One", line 11, text: the formula \\frac\{x cannot be set/],
+  ["a term that names nothing", (t) => t.replace("(lines)", "(rulings)"), /text: the term rulings names nothing in a figure of the view figure; there are: first/],
+  ["a line without its number", (t) => t.replace("(lines)", "(line)"), /text: the term line names nothing/],
+  ["an unknown fact", (t) => t.replace("Text", "{lnes: 4} Text"), /text: there is no fact "lnes"; there are: samples/],
+  ["a fact without its number", (t) => t.replace("Text", "{f: 4} Text"), /text: the fact f has 1 numbers behind its name, not 0/],
+  ["a mark left open", (t) => t.replace("Text", "*Text"), /text: the sign \* in/],
+  ["a form that lessons do not have", (t) => t.replace("Text", "> Text"), /text: "> Text/],
+  ["two places for its figure", (t) => t.replace("\n? Is", "\n[figure]\n\n[figure]\n\n? Is"), /text: a step has one figure, whose place is given once/],
+  ["no text", (t) => t.replace(/Text.*\n/, ""), /text: a step has text/],
+  ["a question without its answer", (t) => t.replace("= It is.\n", ""), /line 13, question: its last line is the answer/],
+  ["a question with two right answers", (t) => t.replace("[ ] No", "[x] No"), /question: has two choices at least, one of them right: there are 2 with 2 right/],
+  ["a choice that is badly written", (t) => t.replace("[ ] No", "[o] No"), /question: a choice is written/],
+  ["a question about a vertex without steps", (t) => t.replace(/- \[.*\n/g, ""), /question: a question without choices asks where the line of a growing step ends/],
+];
+
+for (const [fault, change, message] of BAD) {
+  test(`a lesson with ${fault} is refused`, () => {
+    const text = change(GOOD);
+    assert.notEqual(text, GOOD);
+    assert.throws(() => readLesson("small", text, documents), (error) => {
+      assert.match(/** @type {Error} */ (error).message, message);
+      return true;
+    });
+  });
+}
+
+test("a lesson is named so that it fits into a link, and markup in its text stays text", () => {
+  assert.throws(() => readLesson("My lesson", GOOD, documents), /name: a lesson is named in small letters/);
+  const { lesson } = readLesson("small", GOOD.replace("Text", "Text <img src=x onerror=alert(1)>"), documents);
+  assert.ok(!JSON.stringify(lesson).includes("<img"));
+});
