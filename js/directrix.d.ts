@@ -12,13 +12,13 @@ export interface Material {
 
 /** The composition at one place of a curve. */
 export interface CompositionKey {
-  /** Fraction of the knot domain of the curve as drawn, in [0, 1). */
+  /** Fraction of the knot domain of the curve as drawn, in [0, 1), on an open curve in [0, 1]. */
   at: number;
   /** One fraction for each material; they sum to 1. */
   mix: number[];
 }
 
-/** A closed planar B-spline. */
+/** A planar B-spline. */
 export interface Curve {
   name?: string;
   /** 2 to 32. */
@@ -79,6 +79,8 @@ export interface CurvesDocument {
     negative?: "signed" | "clamp" | "half";
     oneToOne?: boolean;
     policy?: "strict" | "repair";
+    /** Of open curves. */
+    ends?: "tied" | "free";
     pins?: { u: number; v: number }[];
     printed?: ("normals" | "negative" | "stop" | "removal" | "order" | "heights" | "stages")[];
   };
@@ -91,7 +93,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -106,11 +108,11 @@ export interface Diagnostic {
   at?: Point;
 }
 
-/** Samples of one counter-clockwise curve, by ascending parameter; the vertex at the seam counts once. */
+/** Samples of one curve, closed ones counter-clockwise, by ascending parameter; the vertex at the seam counts once. */
 export interface Samples {
   parameters: number[];
   points: Point[];
-  /** Outward unit normals. */
+  /** Unit normals to the right of the curve, outward on a closed one. */
   normals: Point[];
 }
 

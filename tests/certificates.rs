@@ -241,6 +241,10 @@ fn on_every_preset_the_optimum_knows_no_seam_no_order_no_direction_and_no_side()
         let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
         let text = std::fs::read_to_string(&path).expect("a file");
         let given: Value = serde_json::from_str(&text).expect("JSON");
+        if given["curves"][0]["form"] == "open" {
+            // Without a seam there is none to move; `tests/open.rs` turns open curves round.
+            continue;
+        }
         let expected = optimum(&given);
         // The samples of the open C are matched; much finer ones within its pocket cannot all have lines at once.
         let is_open = matches!(name.as_str(), "closed-pocket" | "open-c");

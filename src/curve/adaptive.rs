@@ -29,7 +29,7 @@ const NOISE: f64 = 1e-7;
 
 /// Takes samples of a curve such that between neighbours it stays near the chord and turns little; the first is at the start
 /// of its domain. Also tells whether that holds everywhere: where it takes more than 1000 samples, the worst
-/// places have them.
+/// places have them. On an open curve the last sample is at its end.
 ///
 /// Corners always become samples. The smooth stretches between them are cut evenly by arc length into the fewest samples
 /// asked for; then a stretch that is not fine enough is halved, near its middle at a knot where the curve is only C1 if there
@@ -40,14 +40,14 @@ const NOISE: f64 = 1e-7;
 /// When the fewest samples asked for are below 3.
 #[must_use]
 pub fn sample_adaptively(curve: &ClosedBSpline, fineness: Fineness) -> (Samples, bool) {
-    assert!(fineness.min_count >= 3, "a closed curve needs at least 3 samples, not {}", fineness.min_count);
+    assert!(fineness.min_count >= 3, "a curve needs at least 3 samples, not {}", fineness.min_count);
     let mut sampler = Sampler::new(curve, fineness);
     let mut stretches = sampler.first_stretches();
     let is_fine = loop {
         let worst = (0..stretches.len()).max_by(|&i, &k| stretches[i].excess.total_cmp(&stretches[k].excess));
         match worst {
             Some(worst) if stretches[worst].excess > 1.0 => {
-                if stretches.len() == MOST {
+                if stretches.len() == sampler.most {
                     break false;
                 }
                 let [first, second] = sampler.halves(&stretches[worst]);
@@ -58,11 +58,15 @@ pub fn sample_adaptively(curve: &ClosedBSpline, fineness: Fineness) -> (Samples,
         }
     };
     let order = order_by_number(stretches.len(), |i| stretches[i].start.s);
-    let parameters: Vec<f64> = order.iter().map(|&i| stretches[i].start.u).collect();
+    let mut places: Vec<Place> = order.into_iter().map(|i| stretches[i].start).collect();
+    if !curve.is_closed() {
+        places.push(Place { u: curve.domain().1, s: sampler.arc_length.total() });
+    }
+    let parameters: Vec<f64> = places.iter().map(|place| place.u).collect();
     let samples = Samples {
         points: parameters.iter().map(|&u| curve.point(u)).collect(),
         normals: parameters.iter().map(|&u| curve.normal(u)).collect(),
-        arc: order.iter().map(|&i| stretches[i].start.s).collect(),
+        arc: places.iter().map(|place| place.s).collect(),
         length: sampler.arc_length.total(),
         parameters,
     };
@@ -97,6 +101,9 @@ struct Sampler<'a> {
     weak: Vec<Place>,
     /// Whether there was room for every corner.
     all_corners: bool,
+    /// Most stretches, and the fewest: an open curve has one less than it has samples.
+    most: usize,
+    fewest: usize,
 }
 
 impl<'a> Sampler<'a> {
@@ -107,7 +114,9 @@ impl<'a> Sampler<'a> {
         let is_weak = |&u: &f64| knots.iter().filter(|&&knot| knot == u).count() + 1 >= p;
         let place = |u: f64| Place { u, s: arc_length.at(u) };
         let weak = pieces.iter().map(|piece| piece.lo).filter(is_weak).map(place).collect();
-        Self { curve, fineness, center, pieces, weak, arc_length, all_corners: true }
+        let ends = usize::from(!curve.is_closed());
+        let (most, fewest) = (MOST - ends, fineness.min_count - ends);
+        Self { curve, fineness, center, pieces, weak, arc_length, all_corners: true, most, fewest }
     }
 
     /// The smooth stretches between corners, cut evenly into the fewest samples asked for.
@@ -117,18 +126,18 @@ impl<'a> Sampler<'a> {
         for corner in self.curve.corners() {
             let s = self.arc_length.at(corner.u);
             let is_apart = s - ends[ends.len() - 1].s > SHORTEST * total && total - s > SHORTEST * total;
-            if is_apart && ends.len() < MOST {
+            if is_apart && ends.len() < self.most {
                 ends.push(Place { u: corner.u, s });
             } else {
                 self.all_corners &= !is_apart;
             }
         }
-        let mut room = MOST - ends.len();
+        let mut room = self.most - ends.len();
         ends.push(Place { u: hi, s: total });
         let mut stretches = Vec::new();
         for pair in ends.windows(2) {
             let (start, end) = (pair[0], pair[1]);
-            let share = (end.s - start.s) / total * self.fineness.min_count as f64;
+            let share = (end.s - start.s) / total * self.fewest as f64;
             let parts = ((share - SHORTEST).ceil() as usize).clamp(1, room + 1);
             room -= parts - 1;
             let mut from = start;

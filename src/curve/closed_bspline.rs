@@ -18,16 +18,18 @@ const SMALLEST_RELATIVE_SIZE: f64 = 1e-12;
 /// Smallest size of a curve; below it squared lengths would underflow.
 const SMALLEST_SIZE: f64 = 1e-60;
 
-/// How a curve closes.
+/// Whether and how a curve closes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Form {
     /// The control points wrap around; the seam is as smooth as every other knot.
     Periodic,
     /// The curve starts and ends in its first control point, which is repeated as the last one. The seam may be a corner.
     Clamped,
+    /// The curve runs from its first control point to its last one and does not close.
+    Open,
 }
 
-/// A closed planar B-spline curve, checked once and never changed.
+/// A planar B-spline curve, checked once and never changed; it closes unless its form is [`Form::Open`].
 ///
 /// Guarantees: degree 2 to 32; at least degree + 1 and at most 2000 control points, finite, at most 1e12 in
 /// absolute value, not all coincident; knots ascending, at most 1e12 in absolute value, over a domain of
@@ -35,7 +37,7 @@ pub enum Form {
 /// may intersect itself; that is a separate question.
 ///
 /// The parameter u lies in the knot domain `[lo, hi)`. A u outside is wrapped into it; one that is not finite
-/// counts as lo.
+/// counts as lo. On an open curve it lies in `[lo, hi]`, and a u outside counts as the nearer end.
 ///
 /// # Examples
 /// ```
@@ -63,7 +65,7 @@ impl ClosedBSpline {
     /// Periodic curves take their distinct control points, n of them, and either all n + 2 degree + 1 knots,
     /// whose spacing must repeat with the period, or the n + 1 knots of the domain. Clamped curves take m
     /// points, the last equal to the first, and m + degree + 1 knots, the first and the last degree + 1 of them
-    /// equal. `None` means uniform knots over the domain [0, 1]. Knots closer together than about 1e-10 of the
+    /// equal. Open curves take the same, with the last point anywhere. `None` means uniform knots over the domain [0, 1]. Knots closer together than about 1e-10 of the
     /// domain become equal.
     ///
     /// # Errors
@@ -84,9 +86,9 @@ impl ClosedBSpline {
         }
         let knots = match (form, knots) {
             (Form::Periodic, None) => knots::uniform_periodic(degree, count),
-            (Form::Clamped, None) => knots::uniform_clamped(degree, count),
+            (Form::Clamped | Form::Open, None) => knots::uniform_clamped(degree, count),
             (Form::Periodic, Some(given)) => knots::periodic(degree, count, &given)?,
-            (Form::Clamped, Some(given)) => knots::clamped(degree, count, &given)?,
+            (Form::Clamped | Form::Open, Some(given)) => knots::clamped(degree, count, &given)?,
         };
         if form == Form::Periodic {
             points.extend_from_within(..degree);
@@ -108,10 +110,16 @@ impl ClosedBSpline {
         self.degree
     }
 
-    /// How the curve closes.
+    /// Whether and how the curve closes.
     #[must_use]
     pub fn form(&self) -> Form {
         self.form
+    }
+
+    /// Tells whether the end of the domain is its start again.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.form != Form::Open
     }
 
     /// Control points as given: the distinct ones of a periodic curve, all of a clamped one.
@@ -119,7 +127,7 @@ impl ClosedBSpline {
     pub fn points(&self) -> &[DVec2] {
         match self.form {
             Form::Periodic => &self.control[..self.control.len() - self.degree],
-            Form::Clamped => &self.control,
+            Form::Clamped | Form::Open => &self.control,
         }
     }
 
@@ -129,7 +137,7 @@ impl ClosedBSpline {
         &self.knots
     }
 
-    /// The knot domain: start, and end, which is the start again.
+    /// The knot domain: start, and end, which is the start again where the curve closes.
     #[must_use]
     pub fn domain(&self) -> (f64, f64) {
         (self.knots[self.degree], self.knots[self.control.len()])
@@ -201,9 +209,12 @@ impl ClosedBSpline {
         Bounds::around(self.control[0], self.control[1..].iter().copied())
     }
 
-    /// The parameter in `[lo, hi)` of the same point.
+    /// The parameter in `[lo, hi)` of the same point; on an open curve the nearest one in `[lo, hi]`.
     pub(super) fn wrap(&self, u: f64) -> f64 {
         let (lo, hi) = self.domain();
+        if !self.is_closed() {
+            return if u.is_nan() { lo } else { u.clamp(lo, hi) };
+        }
         if (lo..hi).contains(&u) {
             return u;
         }
@@ -211,10 +222,11 @@ impl ClosedBSpline {
         if (lo..hi).contains(&wrapped) { wrapped } else { lo }
     }
 
-    /// Index of the knot at the start of the non-empty span that holds u in `[lo, hi)`.
+    /// Index of the knot at the start of the non-empty span that holds u in `[lo, hi)`; the last such span at hi.
     pub(super) fn span_index(&self, u: f64) -> usize {
         let inner = &self.knots[self.degree..=self.control.len()];
-        self.degree + inner.partition_point(|&knot| knot <= u) - 1
+        let hi = inner[inner.len() - 1];
+        self.degree + inner.partition_point(|&knot| knot <= u && knot < hi) - 1
     }
 
     /// The Bezier pieces of the non-empty spans in ascending order, relative to `origin`.

@@ -85,10 +85,13 @@ impl ClosedBSpline {
     pub fn corners(&self) -> Vec<Corner> {
         let center = self.bounds().center();
         let pieces = self.moving_pieces(center);
-        let mut found = Vec::new();
+        let mut found: Vec<Corner> = Vec::new();
         for (i, piece) in pieces.iter().enumerate() {
             let before = &pieces[(i + pieces.len() - 1) % pieces.len()];
-            if let (Some((incoming, _)), Some((_, outgoing))) = (before.tangents(1.0), piece.tangents(0.0)) {
+            if (i > 0 || self.is_closed())
+                && let (Some((incoming, _)), Some((_, outgoing))) =
+                    (before.tangents(1.0), piece.tangents(0.0))
+            {
                 let u = self.wrap(before.hi);
                 found.extend(self.corner(u, Tangents { before: incoming, after: outgoing }));
             }
@@ -118,7 +121,8 @@ impl ClosedBSpline {
         STANDSTILL * (bounds.max - bounds.min).max_element()
     }
 
-    /// Tangents on both sides of u in `[lo, hi)`, a knot or a place where the derivative vanishes.
+    /// Tangents on both sides of u in the domain, a knot or a place where the derivative vanishes; at an end of an open curve both are the
+    /// one there is.
     fn tangents(&self, u: f64) -> Tangents {
         let (center, smallest) = (self.bounds().center(), self.standstill());
         let moving = |k: usize| self.piece(k, center).filter(|piece| piece.extent() >= smallest);
@@ -129,11 +133,13 @@ impl ClosedBSpline {
             return inside.map_or(Tangents::UNKNOWN, |(before, after)| Tangents { before, after });
         }
         let cyclic = |steps: usize| p + (k - p + steps) % spans;
-        let after = (0..spans).find_map(|i| moving(cyclic(i))?.tangents(0.0));
-        let before = (1..=spans).find_map(|i| moving(cyclic(spans - i))?.tangents(1.0));
+        let (ahead, behind) = if self.is_closed() { (spans, spans) } else { (spans + p - k, k - p) };
+        let after = (0..ahead).find_map(|i| moving(cyclic(i))?.tangents(0.0));
+        let before = (1..=behind).find_map(|i| moving(cyclic(spans - i))?.tangents(1.0));
         match (before, after) {
             (Some((before, _)), Some((_, after))) => Tangents { before, after },
-            _ => Tangents::UNKNOWN,
+            (Some((only, _)), None) | (None, Some((_, only))) => Tangents { before: only, after: only },
+            (None, None) => Tangents::UNKNOWN,
         }
     }
 }

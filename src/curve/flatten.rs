@@ -11,7 +11,8 @@ const FINEST: f64 = 1e-9;
 const MAX_DEPTH: usize = 24;
 
 impl ClosedBSpline {
-    /// The vertices of a closed polygon no farther than `tolerance` from the curve, with their parameters.
+    /// The vertices of a polygon no farther than `tolerance` from the curve, with their parameters; of an open curve, of a polyline from end
+    /// to end.
     ///
     /// Parameters ascend strictly from lo; the seam is there once, at the start; the polygon closes from the last
     /// vertex to the first. At least three vertices. Between two neighbours the curve stays within `tolerance` of
@@ -36,6 +37,10 @@ impl ClosedBSpline {
                     open.push((left, depth + 1));
                 }
             }
+        }
+        if !self.is_closed() {
+            let end = self.domain().1;
+            vertices.push((end, self.point(end)));
         }
         vertices
     }

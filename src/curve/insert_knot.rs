@@ -12,7 +12,7 @@ impl ClosedBSpline {
     ///
     /// # Errors
     /// When u is not finite, when the knot is there as often as the degree already (the seam of a clamped curve
-    /// always is), or when the curve has 2000 control points.
+    /// and the ends of an open one always are), or when the curve has 2000 control points.
     ///
     /// # References
     /// W. Boehm, "Inserting new knots into B-spline curves", *Computer-Aided Design* 12 (1980). For the periodic
@@ -47,7 +47,7 @@ impl ClosedBSpline {
             points[i % (count + 1)] = refined(i);
         }
         let knots = match self.form() {
-            Form::Clamped => inserted(old_knots, k, u),
+            Form::Clamped | Form::Open => inserted(old_knots, k, u),
             Form::Periodic => {
                 let domain = inserted(&old_knots[p..=p + count], k - p, u);
                 knots::extend_periodically(p, &domain)
@@ -56,7 +56,7 @@ impl ClosedBSpline {
         Ok(Self::from_checked(p, self.form(), points, knots))
     }
 
-    /// The knot within merging distance of u in `[lo, hi)`, else u; the seam is reported as lo.
+    /// The knot within merging distance of u in the domain, else u; the seam of a closed curve is reported as lo.
     pub(super) fn snap(&self, u: f64) -> f64 {
         let (lo, hi) = self.domain();
         let near = knots::merging_distance(lo, hi);
@@ -66,19 +66,19 @@ impl ClosedBSpline {
             below
         } else if above - u > near {
             u
-        } else if above == hi {
+        } else if above == hi && self.is_closed() {
             lo
         } else {
             above
         }
     }
 
-    /// How often the knot u in `[lo, hi)` occurs; on a periodic curve lo and hi are the same knot.
+    /// How often the knot u in the domain occurs; on a periodic curve lo and hi are the same knot.
     fn multiplicity(&self, u: f64) -> usize {
         let (lo, hi) = self.domain();
         let times = |value: f64, knots: &[f64]| knots.iter().filter(|&&knot| knot == value).count();
         match self.form() {
-            Form::Clamped => times(u, self.knots()),
+            Form::Clamped | Form::Open => times(u, self.knots()),
             Form::Periodic => {
                 let domain = &self.knots()[self.degree()..=self.degree() + self.points().len()];
                 times(u, domain) + if u == lo { times(hi, domain) - 1 } else { 0 }

@@ -40,7 +40,8 @@ pub struct Meeting {
 }
 
 impl ClosedBSpline {
-    /// Finds a place where the curve crosses or touches itself, or `None` when it is simple.
+    /// Finds a place where the curve crosses or touches itself, or `None` when it is simple. The ends of an open curve count like any
+    /// other place.
     ///
     /// Stretches that come closer than about 1e-9 of the diagonal of the control points touch; closer legs of a cusp or
     /// of a sharp corner do not, within 1e-4 of the diagonal from its tip. Loops are found down to about 1e-9 of
@@ -63,12 +64,13 @@ impl ClosedBSpline {
         let mut search = Search::new(self, self, bounds.center(), bounds.diagonal());
         search.on_itself = true;
         search.budget += BUDGET_PER_PIECE * pieces.len();
-        // Three arcs, since two would be neighbours at both ends.
+        // Three arcs, since two would be neighbours at both ends of a closed curve.
         let (third, count) = (pieces.len() / 3, pieces.len());
         let a = search.tree.add(&pieces[..third]);
         let b = search.tree.add(&pieces[third..count - third]);
         let c = search.tree.add(&pieces[count - third..]);
-        let joined = [Task::Joined(a, b), Task::Joined(b, c), Task::Joined(c, a)];
+        let seam = if self.is_closed() { Task::Joined(c, a) } else { Task::Between(a, c) };
+        let joined = [Task::Joined(a, b), Task::Joined(b, c), seam];
         let found =
             search.run([Task::Within(a), Task::Within(b), Task::Within(c)].into_iter().chain(joined))?;
         Some(if found.u <= found.v { found } else { Meeting { u: found.v, v: found.u, at: found.at } })
@@ -238,7 +240,7 @@ impl<'a> Search<'a> {
         Meeting { u: self.first.wrap(u), v: self.second.wrap(v), at: at + self.center }
     }
 
-    /// Whether both ways along the curve between the two places of a meeting lead away from it.
+    /// Whether both ways along the curve between the two places of a meeting lead away from it; an open curve has one way.
     fn is_far_along(&self, meeting: &Meeting) -> bool {
         let (lo, hi) = self.first.domain();
         let forward = (meeting.v - meeting.u).rem_euclid(hi - lo);
@@ -249,6 +251,9 @@ impl<'a> Search<'a> {
             };
             (1..WAY_POINTS).any(far)
         };
+        if !self.first.is_closed() {
+            return leads_away(meeting.u.min(meeting.v), (meeting.v - meeting.u).abs());
+        }
         leads_away(meeting.u, forward) && leads_away(meeting.v, hi - lo - forward)
     }
 

@@ -15,7 +15,7 @@ pub enum Scheme {
 
 /// Samples of a curve, in ascending order of parameter; all lists have one entry for each sample.
 ///
-/// The first sample is the start of the domain; its end, the same point, is not repeated.
+/// The first sample is the start of the domain; its end, the same point, is not repeated. On an open curve the end is the last sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Samples {
     /// Parameters in the domain.
@@ -31,6 +31,29 @@ pub struct Samples {
 }
 
 impl Samples {
+    /// Samples of an open curve as those of the same curve reversed.
+    #[must_use]
+    pub(crate) fn reversed(&self, curve: &ClosedBSpline) -> Self {
+        let (lo, hi) = curve.domain();
+        // The ends stay exact.
+        let mirrored = |&u: &f64| {
+            if u == lo {
+                hi
+            } else if u == hi {
+                lo
+            } else {
+                lo + (hi - u)
+            }
+        };
+        Self {
+            parameters: self.parameters.iter().rev().map(mirrored).collect(),
+            points: self.points.iter().rev().copied().collect(),
+            normals: self.normals.iter().rev().map(|normal| -*normal).collect(),
+            arc: self.arc.iter().rev().map(|arc| self.length - arc).collect(),
+            length: self.length,
+        }
+    }
+
     /// Adds samples at parameters, wrapped into the domain, where there is none yet; returns the number of the sample at each.
     ///
     /// A parameter closer than a billionth of the domain to a sample means that sample.
@@ -42,7 +65,7 @@ impl Samples {
             .iter()
             .map(|&u| {
                 let wrapped = curve.wrap(u);
-                if hi - wrapped < close { lo } else { wrapped }
+                if curve.is_closed() && hi - wrapped < close { lo } else { wrapped }
             })
             .collect();
         let nearest = |known: &[f64], u: f64| known.iter().position(|&known| (known - u).abs() < close);
@@ -59,7 +82,7 @@ impl Samples {
     }
 }
 
-/// Takes `count` samples of a curve, the first at the start of its domain.
+/// Takes `count` samples of a curve, the first at the start of its domain; on an open curve the last at its end.
 ///
 /// Where the curve stands still several samples by parameter may be the same point; by arc length none are. Arc
 /// lengths are as accurate as [`ArcLength`](super::ArcLength) says.
@@ -68,15 +91,16 @@ impl Samples {
 /// When `count` is below 3.
 #[must_use]
 pub fn sample(curve: &ClosedBSpline, scheme: Scheme, count: usize) -> Samples {
-    assert!(count >= 3, "a closed curve needs at least 3 samples, not {count}");
+    assert!(count >= 3, "a curve needs at least 3 samples, not {count}");
     let (lo, hi) = curve.domain();
     let arc_length = curve.arc_length();
     let length = arc_length.total();
-    let fractions = (0..count).map(|i| i as f64 / count as f64);
+    let steps = if curve.is_closed() { count } else { count - 1 };
+    let fractions = (0..count).map(|i| i as f64 / steps as f64);
     let (parameters, arc): (Vec<f64>, Vec<f64>) = match scheme {
         Scheme::Parameter => fractions
             .map(|fraction| {
-                let u = lo + (hi - lo) * fraction;
+                let u = if fraction < 1.0 { lo + (hi - lo) * fraction } else { hi };
                 (u, arc_length.at(u))
             })
             .unzip(),

@@ -66,6 +66,18 @@ pub enum Diagnostic {
         /// Why.
         obstacle: Obstacle,
     },
+    /// The lines that join the ends of open curves cannot be kept.
+    Ends {
+        /// Why.
+        obstacle: Obstacle,
+    },
+    /// Samples of open curves with free ends that lie beyond the first or the last line.
+    LeftOut {
+        /// Number of the curve.
+        curve: usize,
+        /// Indices of the vertices.
+        vertices: Vec<usize>,
+    },
     /// Lines that are not visible, added to reach every vertex.
     Occluded {
         /// Indices of the lines.
@@ -111,6 +123,8 @@ impl Diagnostic {
             Self::Jammed { .. } => "jammed",
             Self::Solvable => "solvable",
             Self::Pins { .. } => "pins",
+            Self::Ends { .. } => "ends",
+            Self::LeftOut { .. } => "left-out",
             Self::Occluded { .. } => "occluded",
             Self::Unverified { .. } => "unverified",
             Self::UnverifiedGap { .. } => "unverified-gap",
@@ -126,13 +140,13 @@ impl fmt::Display for Diagnostic {
         let near = |f: &mut fmt::Formatter<'_>, at: &DVec2| write!(f, " near {}", ShownPlace(*at));
         match self {
             Self::Incomplete { curves: 0 } => {
-                write!(f, "0 of 2 curves are there; draw or import two closed curves, one inside the other")
-            }
-            Self::Incomplete { curves } => {
                 write!(
                     f,
-                    "{curves} of 2 curves is there; draw or import a second one, inside it or around it"
+                    "0 of 2 curves are there; draw or import two closed curves, one inside the other, or two open ones"
                 )
+            }
+            Self::Incomplete { curves } => {
+                write!(f, "{curves} of 2 curves is there; draw or import a second one")
             }
             Self::Corner { curve, at, turn, .. } => {
                 write!(f, "curve {curve} has a corner of {} degrees", turn.round())?;
@@ -169,7 +183,12 @@ impl fmt::Display for Diagnostic {
                 vertices.len()
             ),
             Self::Solvable => write!(f, "the method `exact` reaches every vertex"),
-            Self::Pins { obstacle, .. } => write!(f, "{obstacle}"),
+            Self::Pins { obstacle, .. } | Self::Ends { obstacle } => write!(f, "{obstacle}"),
+            Self::LeftOut { curve, vertices } => write!(
+                f,
+                "{} vertices of curve {curve} lie beyond the first or the last line",
+                vertices.len()
+            ),
             Self::Occluded { lines } => {
                 write!(f, "{} lines were added that pass through a curve", lines.len())
             }

@@ -2,9 +2,9 @@
 
 use super::node::Node;
 use super::schema::{
-    BestShift, Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, Kind, LARGEST, LayerName,
-    MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule, SMALLEST,
-    Sampling, SamplingScheme, Shift, View,
+    BestShift, Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, EndRule, Kind, LARGEST,
+    LayerName, MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule,
+    SMALLEST, Sampling, SamplingScheme, Shift, View,
 };
 use super::{Code, DocumentError};
 use crate::curve::Fineness;
@@ -34,6 +34,7 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
     };
     let materials = materials(node)?;
     let curves = curves(&node.need("curves")?, materials.len())?;
+    let is_open = both_open(&curves)?;
     let materials_count = materials.len();
     Ok(CurvesDocument {
         directrix: 1,
@@ -43,7 +44,7 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
         materials,
         sampling: node.get("sampling")?.map_or_else(|| Ok(Sampling::default()), |n| sampling(&n, &curves))?,
         curves,
-        matching: matching(&node.need("matching")?)?,
+        matching: matching(&node.need("matching")?, is_open)?,
         blend: node.get("blend")?.map_or_else(|| Ok(Blend::default()), |n| blend(&n))?,
         view: node.get("view")?.map(|n| view(&n, materials_count)).transpose()?,
     })
@@ -83,6 +84,21 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     Ok(curves)
 }
 
+/// Tells whether the curves are open, of which closed ones are refused beside them.
+fn both_open(curves: &[CurveSpec]) -> Read<bool> {
+    let is_open = |curve: &CurveSpec| curve.form == CurveForm::Open;
+    if let [first, second] = curves
+        && is_open(first) != is_open(second)
+    {
+        let [found, other] = if is_open(second) { ["open", "closed"] } else { ["closed", "open"] };
+        let message = format!(
+            "the curve is {found} and the other one {other}; expected both curves open, or both closed"
+        );
+        return Err(DocumentError::new(Code::Range, "curves[1].form", message));
+    }
+    Ok(curves.iter().any(is_open))
+}
+
 /// The composition of one material alone, all along a curve.
 fn pure(material: usize, materials: usize) -> Vec<CompositionKey> {
     let mix = (0..materials).map(|k| if k == material { 1.0 } else { 0.0 }).collect();
@@ -95,7 +111,7 @@ fn curve(node: &Node<'_>, own: &[CompositionKey]) -> Read<CurveSpec> {
     let form = match form.choice(&["periodic", "clamped", "open"])? {
         0 => CurveForm::Periodic,
         1 => CurveForm::Clamped,
-        _ => return Err(form.not_yet("open curves")),
+        _ => CurveForm::Open,
     };
     let mut points = Vec::new();
     for point in node.need("points")?.items()? {
@@ -159,7 +175,7 @@ fn sampling(node: &Node<'_>, curves: &[CurveSpec]) -> Read<Sampling> {
     Ok(sampling)
 }
 
-fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
+fn matching(node: &Node<'_>, is_open: bool) -> Read<MatchingSpec> {
     node.only(&[
         "method",
         "objective",
@@ -172,6 +188,7 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
         "lines",
         "shift",
         "policy",
+        "ends",
         "pins",
         "printed",
     ])?;
@@ -197,7 +214,15 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
             shift.choice(&["best"])?;
             Some(Shift::Best(BestShift::Best))
         }
-        Some(shift) => Some(Shift::By(shift.count_within(0..=999)?)),
+        Some(shift) => {
+            let by = shift.count_within(0..=999)?;
+            if by > 0 && is_open && method == Method::Shift {
+                let message =
+                    format!("{by} was found; expected 0 or `best`, because open curves have no seam");
+                return Err(shift.error(Code::Range, message));
+            }
+            Some(Shift::By(by))
+        }
         None => (method == Method::Shift).then_some(Shift::Best(BestShift::Best)),
     };
     let pins = node.get("pins")?.map_or_else(|| Ok(Vec::new()), |n| pins(&n, method))?;
@@ -221,6 +246,11 @@ fn matching(node: &Node<'_>) -> Read<MatchingSpec> {
         policy: match node.get("policy")?.map_or(Ok(0), |n| n.choice(&["strict", "repair"]))? {
             0 => Policy::Strict,
             _ => Policy::Repair,
+        },
+        ends: match node.get("ends")?.map(|n| n.choice(&["tied", "free"])).transpose()? {
+            Some(0) => Some(EndRule::Tied),
+            None => is_open.then_some(EndRule::Tied),
+            Some(_) => Some(EndRule::Free),
         },
         pins,
         printed: node.get("printed")?.map_or_else(|| Ok(Vec::new()), |n| printed(&n))?,

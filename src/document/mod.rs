@@ -5,6 +5,7 @@
 //! the job that matches them. The format itself is described in `docs/format.md`.
 
 mod diagnostic;
+mod direction;
 mod error;
 mod fields;
 mod insert_point;

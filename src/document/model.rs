@@ -1,14 +1,16 @@
 //! The curves of a document, ready for evaluation.
 
-use super::schema::{BLANK, CurveForm, CurveSpec, Method, NegativeMode, PrintedRule, SamplingScheme};
+use super::schema::{
+    BLANK, CurveForm, CurveSpec, EndRule, Method, NegativeMode, PrintedRule, SamplingScheme,
+};
 use super::{Code, CurvesDocument, DocumentError};
 use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
 use crate::geom::{Bounds, ShownPlace};
-use crate::matching::{NegativeProducts, Weights};
+use crate::matching::{Ends, NegativeProducts, Weights};
 use crate::material::{Color, Composition, Material, Profile};
 use glam::DVec2;
 
-/// A document with its curves built, turned counter-clockwise and sampled, and its compositions checked.
+/// A document with its curves built, turned counter-clockwise where they are closed, and sampled, and its compositions checked.
 ///
 /// A drawing in progress has no curve or one; [`pair`](Self::pair) is there once it has two.
 #[derive(Debug, Clone)]
@@ -59,25 +61,36 @@ impl Model {
         Ok(Self { curves, reversed, samples, coarse, pins, profiles, materials, document })
     }
 
+    /// Reverses the second of two open curves.
+    pub(super) fn turn(&mut self) {
+        if let ([_, curve], [_, samples]) = (self.curves.as_mut_slice(), self.samples.as_mut_slice()) {
+            *samples = samples.reversed(curve);
+            *curve = curve.reversed();
+            self.reversed[1] = true;
+            let last = samples.arc.len() - 1;
+            self.pins.iter_mut().for_each(|pin| pin.1 = last - pin.1);
+        }
+    }
+
     /// The document.
     #[must_use]
     pub fn document(&self) -> &CurvesDocument {
         &self.document
     }
 
-    /// The curves that are there, at most two, counter-clockwise.
+    /// The curves that are there, at most two: counter-clockwise, or in the direction in which open ones are matched.
     #[must_use]
     pub fn curves(&self) -> &[ClosedBSpline] {
         &self.curves
     }
 
-    /// Which curves were drawn clockwise and are reversed here.
+    /// Which curves run here against the direction in which they were drawn.
     #[must_use]
     pub fn reversed(&self) -> &[bool] {
         &self.reversed
     }
 
-    /// Samples of the counter-clockwise curves.
+    /// Samples of the curves.
     #[must_use]
     pub fn samples(&self) -> &[Samples] {
         &self.samples
@@ -134,13 +147,27 @@ impl Model {
         }
     }
 
-    /// Composition at the parameter `u` of a counter-clockwise curve; parameters outside its domain wrap round.
+    /// Composition at the parameter `u` of a curve; parameters outside the domain of a closed one wrap round.
     #[must_use]
     pub fn composition(&self, curve: usize, u: f64) -> Composition {
         let (lo, hi) = self.curves[curve].domain();
+        if !self.curves[curve].is_closed() {
+            let fraction = ((u - lo) / (hi - lo)).clamp(0.0, 1.0);
+            return self.profiles[curve].at(if self.reversed[curve] { 1.0 - fraction } else { fraction });
+        }
         let fraction = ((u - lo) / (hi - lo)).rem_euclid(1.0);
         let drawn = if self.reversed[curve] { (1.0 - fraction).rem_euclid(1.0) } else { fraction };
         self.profiles[curve].at(if drawn < 1.0 { drawn } else { 0.0 })
+    }
+
+    /// What becomes of the ends of open curves; `None` for closed ones.
+    #[must_use]
+    pub fn ends(&self) -> Option<Ends> {
+        let is_open = self.curves.iter().any(|curve| !curve.is_closed());
+        is_open.then_some(match self.document.matching.ends {
+            Some(EndRule::Free) => Ends::Free,
+            Some(EndRule::Tied) | None => Ends::Tied,
+        })
     }
 
     /// Smallest box that holds the curves and their control points; 100 units about the origin where there are none.
@@ -158,10 +185,14 @@ impl Model {
     pub fn fault(&self) -> Option<DocumentError> {
         for (k, curve) in self.curves.iter().enumerate() {
             if let Some(meeting) = curve.self_intersection() {
-                let message = format!(
-                    "the curve meets itself near {}; expected a simple curve",
-                    ShownPlace(meeting.at)
-                );
+                let expected = match curve.domain() {
+                    ends if !curve.is_closed() && (meeting.u, meeting.v) == ends => {
+                        "an open curve whose ends keep apart, or the form `clamped`"
+                    }
+                    _ => "a simple curve",
+                };
+                let message =
+                    format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
                 let error =
                     DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
                 return Some(error.with_place(meeting.at));
@@ -202,7 +233,8 @@ fn profile(document: &CurvesDocument, curve: usize) -> Result<Profile, DocumentE
         Ok((key.at, composition))
     });
     let keys = compositions.collect::<Result<Vec<_>, _>>()?;
-    Profile::new(keys).map_err(|e| DocumentError::new(Code::Range, path(""), e.to_string()))
+    let closed = document.curves[curve].form != CurveForm::Open;
+    Profile::new(keys, closed).map_err(|e| DocumentError::new(Code::Range, path(""), e.to_string()))
 }
 
 /// Samples a curve as the document says; tells whether the samples are as fine as they should be.
@@ -250,16 +282,18 @@ pub(super) fn drawn_curve(spec: &CurveSpec, k: usize) -> Result<ClosedBSpline, D
     let form = match spec.form {
         CurveForm::Periodic => Form::Periodic,
         CurveForm::Clamped => Form::Clamped,
+        CurveForm::Open => Form::Open,
     };
     let points = spec.points.iter().map(|&p| DVec2::from(p)).collect();
     ClosedBSpline::new(spec.degree, form, points, spec.knots.clone())
         .map_err(|error| refuse(&error, k, spec.points.len()))
 }
 
-/// Builds a curve and turns it counter-clockwise; tells whether it had to be reversed.
+/// Builds a curve and turns a closed one counter-clockwise; tells whether it was reversed.
 fn curve(spec: &CurveSpec, k: usize) -> Result<(ClosedBSpline, bool), DocumentError> {
     let curve = drawn_curve(spec, k)?;
-    if curve.signed_area() < 0.0 { Ok((curve.reversed(), true)) } else { Ok((curve, false)) }
+    let is_reversed = curve.is_closed() && curve.signed_area() < 0.0;
+    if is_reversed { Ok((curve.reversed(), true)) } else { Ok((curve, false)) }
 }
 
 /// Says of an error in a curve which field of the document it concerns.

@@ -14,7 +14,8 @@ pub(super) const BLANK: f64 = 100.0;
 /// Smallest tolerance of a document.
 pub(super) const SMALLEST: f64 = 1e-12;
 
-/// A curves document: two closed curves, or fewer while they are being drawn, their materials, and how to match and blend them.
+/// A curves document: two curves, both closed or both open, or fewer while they are being drawn, their materials, and how to match and
+/// blend them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CurvesDocument {
@@ -76,7 +77,7 @@ pub struct MaterialSpec {
     pub void: bool,
 }
 
-/// A closed planar B-spline.
+/// A planar B-spline.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CurveSpec {
@@ -85,7 +86,7 @@ pub struct CurveSpec {
     pub name: Option<String>,
     /// Degree, 2 to 32.
     pub degree: usize,
-    /// How the control points close.
+    /// Whether and how the control points close.
     pub form: CurveForm,
     /// Control points [x, y].
     pub points: Vec<[f64; 2]>,
@@ -98,7 +99,7 @@ pub struct CurveSpec {
     pub composition: Vec<CompositionKey>,
 }
 
-/// How a B-spline closes.
+/// Whether and how a B-spline closes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CurveForm {
@@ -106,13 +107,15 @@ pub enum CurveForm {
     Periodic,
     /// The last control point repeats the first.
     Clamped,
+    /// The curve does not close.
+    Open,
 }
 
 /// The composition at one place of a curve.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CompositionKey {
-    /// Fraction of the knot domain of the curve as drawn, in [0, 1).
+    /// Fraction of the knot domain of the curve as drawn, in [0, 1); on an open curve in [0, 1].
     pub at: f64,
     /// Fraction of each material; they sum to 1.
     pub mix: Vec<f64>,
@@ -179,6 +182,9 @@ pub struct MatchingSpec {
     pub one_to_one: bool,
     /// What to do where the constraints cannot hold.
     pub policy: Policy,
+    /// What becomes of the ends of open curves; closed ones keep and ignore it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<EndRule>,
     /// Pairs of places that the method `exact` must join.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub pins: Vec<Pin>,
@@ -193,6 +199,16 @@ impl MatchingSpec {
     pub fn is_printed(&self, rule: PrintedRule) -> bool {
         self.printed.contains(&rule)
     }
+}
+
+/// What becomes of the ends of open curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EndRule {
+    /// The first samples are joined, and the last ones.
+    Tied,
+    /// Samples at the ends of either curve may be left out.
+    Free,
 }
 
 /// What the method `exact` maximises.

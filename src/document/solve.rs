@@ -1,11 +1,12 @@
 //! From a document to its matching, in steps.
 
+use super::direction::Direction;
 use super::work::{Found, Work};
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
 use crate::curve::ClosedBSpline;
 use crate::matching::{
     Details, Layout, Matching, OneToOne, Problem, ProblemError, RulingLine, Totals, Weights, broken, details,
-    places_of, places_of_pairs,
+    left_out, places_of, places_of_pairs,
 };
 use crate::morph::Band;
 
@@ -141,11 +142,15 @@ impl Solution {
 pub struct Solve {
     model: Option<Model>,
     state: State,
+    is_coarse: bool,
+    /// Share of the work that was done before the lines were looked for.
+    begun: f64,
 }
 
 #[derive(Debug)]
 enum State {
     Ready(Box<(Outcome, Vec<Diagnostic>, bool)>),
+    Directing(Box<Direction>),
     Working(Box<Work>),
 }
 
@@ -168,17 +173,32 @@ impl Solve {
     }
 
     fn start(document: CurvesDocument, is_coarse: bool) -> Result<Self, DocumentError> {
-        let model = Model::new(document)?;
+        let mut model = Model::new(document)?;
         let state = match model.fault() {
             Some(fault) => State::Ready(Box::new((Outcome::Refused(fault), Vec::new(), false))),
-            None => prepare(&model, is_coarse),
+            None => {
+                let direction = model.ends().and_then(|_| Direction::new(&mut model));
+                direction.map_or_else(
+                    || prepare(&model, is_coarse),
+                    |direction| State::Directing(Box::new(direction)),
+                )
+            }
         };
-        Ok(Self { model: Some(model), state })
+        let begun = if let State::Directing(_) = state { DIRECTING } else { 0.0 };
+        Ok(Self { model: Some(model), state, is_coarse, begun })
     }
 
     /// Advances while `may_go_on` says so, at least by a little; returns the solution when it is found, and `None` ever
     /// after.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Solution> {
+        if let State::Directing(direction) = &mut self.state {
+            let is_turned = direction.step(may_go_on)?;
+            let model = self.model.as_mut()?;
+            if is_turned {
+                model.turn();
+            }
+            self.state = prepare(model, self.is_coarse);
+        }
         if let State::Working(work) = &mut self.state {
             let found = work.step(may_go_on)?;
             let problem = work.problem().clone();
@@ -196,7 +216,8 @@ impl Solve {
     pub fn progress(&self) -> f64 {
         match &self.state {
             State::Ready(_) => 1.0,
-            State::Working(work) => work.progress(),
+            State::Directing(direction) => direction.progress() * DIRECTING,
+            State::Working(work) => self.begun + (1.0 - self.begun) * work.progress(),
         }
     }
 
@@ -214,6 +235,9 @@ impl Solve {
     }
 }
 
+/// Share of the work that it takes to find the direction of open curves.
+const DIRECTING: f64 = 0.4;
+
 fn prepare(model: &Model, is_coarse: bool) -> State {
     let reason = match model.pair() {
         None => Diagnostic::Incomplete { curves: model.curves().len() },
@@ -230,7 +254,7 @@ fn prepare(model: &Model, is_coarse: bool) -> State {
 /// Puts a matching together with its band and the remarks on it.
 fn matched(model: &Model, problem: Problem, found: Found) -> State {
     let mut diagnostics = curve_remarks(model);
-    if problem.layout() == Layout::Crossing
+    if matches!(problem.layout(), Layout::Crossing | Layout::Loose)
         && let Some(([first, second], _)) = model.pair()
     {
         diagnostics.extend(first.contact(second).map(|meeting| Diagnostic::Crossing { at: meeting.at }));
@@ -301,8 +325,14 @@ fn remarks(weights: Weights, problem: &Problem, matching: &Matching, is_grown: b
     if !opposed.is_empty() && weights.normal > 0.0 {
         remarks.push(Diagnostic::OpposedNormals { lines: opposed });
     }
+    let left_out = left_out(problem, &matching.lines);
     for curve in 0..2 {
-        let orphans = &matching.orphans[curve];
+        let left_out = &left_out[curve];
+        let is_reached = |vertex: &&usize| left_out.binary_search(vertex).is_err();
+        let orphans: &Vec<usize> = &matching.orphans[curve].iter().filter(is_reached).copied().collect();
+        if !left_out.is_empty() {
+            remarks.push(Diagnostic::LeftOut { curve, vertices: left_out.clone() });
+        }
         let bare = matching.totals.uncovered[curve].iter().copied();
         let stuck: Vec<usize> = bare.filter(|vertex| orphans.binary_search(vertex).is_err()).collect();
         if !orphans.is_empty() {

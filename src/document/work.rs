@@ -86,7 +86,7 @@ impl Work {
         if spec.is_printed(PrintedRule::Normals) {
             outlines[1].normals.iter_mut().for_each(|normal| *normal = -*normal);
         }
-        let problem = Problem::new(outlines, model.weights(), model.gap())?;
+        let problem = problem_on(outlines, model)?;
         let matching = assemble(&problem, Vec::new(), &blank(&problem));
         let found = Found {
             matching,
@@ -213,11 +213,7 @@ impl Work {
     }
 
     fn options(&self) -> ExactOptions {
-        let objective = match self.spec.objective {
-            Some(ObjectiveName::Sum) => Objective::Sum,
-            Some(ObjectiveName::SumLessPrice) => Objective::SumLessPrice(self.spec.line_price.unwrap_or(0.0)),
-            Some(ObjectiveName::Integral) | None => Objective::Integral,
-        };
+        let objective = objective_of(&self.spec);
         ExactOptions { objective, policy: policy(self.spec.policy), pins: self.pins.clone() }
     }
 
@@ -250,6 +246,8 @@ impl Work {
         if let Method::Shift | Method::Parameter = self.spec.method {
             let shift = match (self.spec.method, self.spec.shift) {
                 (Method::Parameter, _) => 0,
+                // Open curves have no seam.
+                _ if self.problem.ends().is_some() => 0,
                 (_, Some(Shift::By(shift))) => shift,
                 (_, Some(Shift::Best(_)) | None) => best_shift(&self.problem),
             };
@@ -287,8 +285,12 @@ impl Work {
                     self.found.is_coarse = true;
                     return self.even();
                 }
-                let gap = self.problem.gap();
-                Stage::Refining(Box::new(Refine::new(self.curves.clone(), self.problem.weights(), gap)))
+                let (curves, gap, weights) =
+                    (self.curves.clone(), self.problem.gap(), self.problem.weights());
+                Stage::Refining(Box::new(match self.problem.ends() {
+                    None => Refine::new(curves, weights, gap),
+                    Some(ends) => Refine::open(curves, weights, gap, ends),
+                }))
             }
             Method::Exact => self.even(),
             Method::OnePerVertex => self.placing(&self.problem, &fill_in(&self.problem, &matching.lines)),
@@ -317,9 +319,14 @@ impl Work {
             let is_pin = |line: &&RulingLine| self.pins.contains(&(line.from, line.to));
             let pinned: Vec<RulingLine> = lines.iter().filter(is_pin).copied().collect();
             let pinned = places_of(&self.problem, &pinned);
-            matching::hold_places(&mut even, &pinned);
+            let closed = self.problem.ends().is_none();
+            matching::hold_places(&mut even, closed, &pinned);
             (self.problem.clone(), Spread::new(path, even, &pinned))
         };
+        if problem.ends().is_some() {
+            // Between open curves evenly spread lines stand or fall as they are.
+            return self.placing(&problem, spread.even());
+        }
         let stage = self.placing(&problem, &spread.places());
         self.spread = Some(Box::new((problem, spread)));
         stage
@@ -372,6 +379,26 @@ impl Work {
     }
 }
 
+/// Two outlines with the weights of a model.
+///
+/// # Errors
+/// When they cannot be matched.
+pub(super) fn problem_on(outlines: [Outline; 2], model: &Model) -> Result<Problem, ProblemError> {
+    match model.ends() {
+        None => Problem::new(outlines, model.weights(), model.gap()),
+        Some(ends) => Problem::open(outlines, model.weights(), model.gap(), ends),
+    }
+}
+
+/// What is maximised, J where nothing is said.
+pub(super) fn objective_of(spec: &super::MatchingSpec) -> Objective {
+    match spec.objective {
+        Some(ObjectiveName::Sum) => Objective::Sum,
+        Some(ObjectiveName::SumLessPrice) => Objective::SumLessPrice(spec.line_price.unwrap_or(0.0)),
+        Some(ObjectiveName::Integral) | None => Objective::Integral,
+    }
+}
+
 fn policy(policy: Policy) -> matching::Policy {
     match policy {
         Policy::Strict => matching::Policy::Strict,
@@ -388,7 +415,7 @@ fn blank(problem: &Problem) -> [Vec<f64>; 2] {
 /// Puts lines together with their totals.
 fn assemble(problem: &Problem, lines: Vec<RulingLine>, best: &[Vec<f64>; 2]) -> Matching {
     let blind = |best: &Vec<f64>| (0..best.len()).filter(|&k| best[k] == f64::NEG_INFINITY).collect();
-    let totals = measure(problem, &lines, Bound::new(problem, best));
+    let totals = measure(problem, &lines, Bound::of(problem, best, &lines));
     Matching { lines, growth: Vec::new(), orphans: best.each_ref().map(blind), totals }
 }
 
@@ -401,6 +428,9 @@ fn why(infeasible: &Infeasible) -> Option<Diagnostic> {
             let all = infeasible.best[outline].len();
             let vertices = (first..first + count).map(|vertex| vertex % all).collect();
             Diagnostic::Jammed { curve: outline, vertices }
+        }
+        Obstacle::EndBlocked { .. } | Obstacle::EndsCross => {
+            Diagnostic::Ends { obstacle: infeasible.obstacle }
         }
         Obstacle::NoSuchVertex { pin } | Obstacle::PinBlocked { pin } => {
             Diagnostic::Pins { pins: vec![pin], obstacle: infeasible.obstacle }

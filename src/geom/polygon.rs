@@ -1,4 +1,4 @@
-//! Questions about simple polygons, given as their vertices in order, the first not repeated.
+//! Questions about simple polygons, given as their vertices in order, the first not repeated, and about open polylines.
 
 use super::{SegmentGrid, orient2d, segments_meet};
 use glam::DVec2;
@@ -46,33 +46,36 @@ pub fn locate(polygon: &[DVec2], point: DVec2) -> Location {
     if inside { Location::Inside } else { Location::Outside }
 }
 
-/// Returns two edges of the polygon, by the index of their first vertex, that meet although they are not neighbours, or
-/// neighbours that run back over each other; `None` when the polygon is simple. Exact.
+/// Returns two edges of a polygon, or of an open polyline where `closed` is false, by the index of their first vertex, that meet
+/// although they are not neighbours, or neighbours that run back over each other; `None` when it is simple. Exact.
 #[must_use]
-pub fn first_self_contact(polygon: &[DVec2]) -> Option<(usize, usize)> {
+pub fn first_self_contact(polygon: &[DVec2], closed: bool) -> Option<(usize, usize)> {
     let n = polygon.len();
     let vertex = |i: usize| polygon[i % n];
-    for i in 0..n {
+    let open = usize::from(!closed);
+    for i in 0..n - 2 * open {
         let (a, b, c) = (vertex(i), vertex(i + 1), vertex(i + 2));
         let folds_back = orient2d(a, b, c) == 0.0 && (b - a).dot(c - b) <= 0.0;
         if folds_back {
             return Some((i, (i + 1) % n));
         }
     }
-    let grid = SegmentGrid::new(edges(polygon).collect());
-    (0..n).find_map(|i| {
+    let grid = SegmentGrid::new(edges(polygon).take(n - open).collect());
+    (0..n - open).find_map(|i| {
         let (a, b) = (vertex(i), vertex(i + 1));
         let neighbour = |k: usize| k == i || (k + 1) % n == i || (i + 1) % n == k;
         grid.find(a, b, |k, c, d| !neighbour(k) && segments_meet(a, b, c, d)).map(|k| (i.min(k), i.max(k)))
     })
 }
 
-/// Returns an edge of each polygon, by the index of its first vertex, that meet; `None` when the outlines have no point in
-/// common. Exact; it does not look at which polygon contains the other.
+/// Returns an edge of each of two polygons, or open polylines where `closed` is false, by the index of its first vertex, that meet;
+/// `None` when the outlines have no point in common. Exact; it does not look at which polygon contains the other.
 #[must_use]
-pub fn first_contact(first: &[DVec2], second: &[DVec2]) -> Option<(usize, usize)> {
-    let grid = SegmentGrid::new(edges(second).collect());
+pub fn first_contact(first: &[DVec2], second: &[DVec2], closed: bool) -> Option<(usize, usize)> {
+    let open = usize::from(!closed);
+    let grid = SegmentGrid::new(edges(second).take(second.len() - open).collect());
     edges(first)
+        .take(first.len() - open)
         .enumerate()
         .find_map(|(i, (a, b))| grid.find(a, b, |_, c, d| segments_meet(a, b, c, d)).map(|k| (i, k)))
 }
@@ -117,19 +120,19 @@ mod tests {
     #[test]
     fn bow_tie_and_spike_are_not_simple() {
         let bow_tie = [SQUARE[0], SQUARE[2], SQUARE[1], SQUARE[3]];
-        assert_eq!(first_self_contact(&bow_tie), Some((0, 2)));
+        assert_eq!(first_self_contact(&bow_tie, true), Some((0, 2)));
         let spike = [SQUARE[0], dvec2(3.0, 0.0), SQUARE[1], SQUARE[2], SQUARE[3]];
-        assert_eq!(first_self_contact(&spike), Some((0, 1)));
-        assert_eq!(first_self_contact(&SQUARE), None);
+        assert_eq!(first_self_contact(&spike, true), Some((0, 1)));
+        assert_eq!(first_self_contact(&SQUARE, true), None);
         let straight = [SQUARE[0], dvec2(1.0, 0.0), SQUARE[1], SQUARE[2], SQUARE[3]];
-        assert_eq!(first_self_contact(&straight), None, "a straight vertex is no contact");
+        assert_eq!(first_self_contact(&straight, true), None, "a straight vertex is no contact");
     }
 
     #[test]
     fn outlines_touch_at_a_vertex_or_not_at_all() {
         let shifted = SQUARE.map(|p| p + dvec2(2.0, 2.0));
-        assert!(first_contact(&SQUARE, &shifted).is_some());
+        assert!(first_contact(&SQUARE, &shifted, true).is_some());
         let inner = SQUARE.map(|p| p * 0.5 + dvec2(0.5, 0.5));
-        assert_eq!(first_contact(&SQUARE, &inner), None);
+        assert_eq!(first_contact(&SQUARE, &inner, true), None);
     }
 }

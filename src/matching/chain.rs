@@ -4,20 +4,31 @@
 ///
 /// A line is the lattice point (i, J): vertex i of the first outline, lifted vertex J of the second. The lines
 /// repeat under the deck translation (a, b), once round the band. Visible lines of nested polygons do not
-/// cross if and only if i and J ascend together, weakly, over all of them and their translates.
+/// cross if and only if i and J ascend together, weakly, over all of them and their translates. Open outlines have one lap, and
+/// translates that are beyond everything.
 #[derive(Debug, Clone)]
 pub(super) struct Chain {
     period: i64,
+    /// Vertices of the second outline, where it is open.
+    open: Option<i64>,
     /// Least and greatest lifted end at each vertex of the first outline, where it has a line.
     ends: Vec<Option<(i64, i64)>>,
     /// One bit for each vertex that has a line.
     occupied: Vec<u64>,
 }
 
+/// The lap of open outlines: more than any vertex, and few enough to count with.
+const BEYOND: i64 = 1 << 40;
+
 impl Chain {
     /// An empty chain for outlines of `a` and `b` vertices.
     pub(super) fn new(a: usize, b: usize) -> Self {
-        Self { period: b as i64, ends: vec![None; a], occupied: vec![0; a.div_ceil(64)] }
+        Self { period: b as i64, open: None, ends: vec![None; a], occupied: vec![0; a.div_ceil(64)] }
+    }
+
+    /// An empty chain for open outlines of `a` and `b` vertices.
+    pub(super) fn open(a: usize, b: usize) -> Self {
+        Self { period: BEYOND, open: Some(b as i64), ..Self::new(a, b) }
     }
 
     /// Tells whether the line (i, J) crosses none of the chain.
@@ -28,7 +39,8 @@ impl Chain {
 
     /// Least and greatest lifted end that a line at vertex `i` may have; `None` when the chain is empty and all may be.
     pub(super) fn range(&self, i: usize) -> Option<(i64, i64)> {
-        Some((self.before(i)?.1, self.after(i)?.0))
+        let (first, last) = (self.before(i)?.1, self.after(i)?.0);
+        Some(self.open.map_or((first, last), |b| (first.max(0), last.min(b - 1))))
     }
 
     /// Tells whether the line (i, j) keeps the index interval of the paper (Eq. 12): it lies, counted upwards from the end at the last

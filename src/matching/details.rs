@@ -31,7 +31,7 @@ pub fn details(
     if places.is_empty() {
         return None;
     }
-    let even = at_even_means(places, lines.len());
+    let even = at_even_means(places, problem.ends().is_none(), lines.len());
     let value = |&place: &[f64; 2]| value_at(curves, &arc_lengths, problem, place);
     let cosines = lines.iter().map(|line| problem.cosine(line.from, line.to));
     let lengths = lines.iter().map(|line| problem.length(line.from, line.to));
@@ -48,7 +48,8 @@ pub fn details(
 pub fn integral_on_curves(curves: &[ClosedBSpline; 2], problem: &Problem, lines: &[RulingLine]) -> f64 {
     let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
     let places = places_of(problem, lines);
-    let lap = places.first().map(|place| place.map(|share| share + 1.0));
+    let closed = problem.ends().is_none();
+    let lap = places.first().filter(|_| closed).map(|place| place.map(|share| share + 1.0));
     let next = places.iter().copied().skip(1).chain(lap);
     let parts = Parts::new(curves, &arc_lengths);
     let gap = |(place, next): (&[f64; 2], [f64; 2])| {

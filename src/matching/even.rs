@@ -4,7 +4,7 @@ use super::spacing::APART;
 
 /// Least share of its even step by which an end moves on from one line to the next: spreads fans a little, so that no two
 /// lines share an end.
-const LEAST_STEP: f64 = 1.0 / 128.0;
+pub(super) const LEAST_STEP: f64 = 1.0 / 128.0;
 
 /// Places `count` lines at equal steps of mu, the mean of the shares of arc length on both curves, along a correspondence.
 ///
@@ -19,7 +19,7 @@ pub(super) fn spread_evenly(
     corners: &[Vec<f64>; 2],
     mut improve: impl FnMut([f64; 2]) -> f64,
 ) -> Vec<[f64; 2]> {
-    let plain = at_even_means(places, count);
+    let plain = at_even_means(places, true, count);
     let moved: Vec<[f64; 2]> = plain
         .iter()
         .map(|&[x, y]| {
@@ -32,7 +32,7 @@ pub(super) fn spread_evenly(
         let corners = if keeps { corners.each_ref().map(Vec::as_slice) } else { [[].as_slice(); 2] };
         strictly(places, corners)
     });
-    tries.iter_mut().find(|places| ascends(places)).map(std::mem::take).unwrap_or_else(|| {
+    tries.iter_mut().find(|places| ascends(places, true)).map(std::mem::take).unwrap_or_else(|| {
         // Any correspondence becomes strict when it is mixed with the rigid one.
         let offset = plain.iter().map(|[x, y]| x - y).sum::<f64>() / count as f64;
         let mix = |&[x, y]: &[f64; 2]| {
@@ -46,19 +46,27 @@ pub(super) fn spread_evenly(
 /// Puts places that must be held among evenly spread ones: the nearest to each makes way, and so does every one that would be out
 /// of order, or with one end so near that it could not be told from the held one.
 ///
-/// Both lists ascend in cyclic order, within a lap: `places` strictly; those that are held may share an end, and then still do.
-pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
-    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(held.len());
+/// Both lists ascend in cyclic order, within a lap: `places` strictly; those that are held may share an end, and then still do. On open
+/// curves the first and the last of the places stay as well.
+pub fn hold_places(places: &mut Vec<[f64; 2]>, closed: bool, held: &[[f64; 2]]) {
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(held.len() + 2);
+    if let (false, [first, .., last]) = (closed, places.as_slice()) {
+        kept.extend([*first, *last]);
+    }
+    let translates: &[f64] = if closed { &[-1.0, 0.0, 1.0] } else { &[0.0] };
     let least = LEAST_STEP / (2 * places.len().max(1)) as f64;
     let laps = |by: f64| move |place: &[f64; 2]| place.map(|share| share + by);
     for pin in held {
         let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
         // The translate of the pin that lies among the places.
         let Some(first) = places.first().map(mean) else { return };
-        let pin = laps((first - mean(pin)).ceil())(pin);
+        let pin = if closed { laps((first - mean(pin)).ceil())(pin) } else { *pin };
+        if kept.contains(&pin) {
+            continue;
+        }
         let distance = |place: &[f64; 2]| {
             let gap = (mean(place) - mean(&pin)).abs();
-            gap.min(1.0 - gap)
+            if closed { gap.min(1.0 - gap) } else { gap }
         };
         let others = (0..places.len()).filter(|&k| !kept.contains(&places[k]));
         let nearest = others.min_by(|&i, &k| distance(&places[i]).total_cmp(&distance(&places[k])));
@@ -66,7 +74,7 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
             places.remove(nearest);
         }
         let fits = |place: &[f64; 2]| {
-            [-1.0, 0.0, 1.0].into_iter().all(|lap| {
+            translates.iter().all(|&lap| {
                 let [x, y] = laps(lap)(place);
                 let [before, after] = [[pin[0] - x, pin[1] - y], [x - pin[0], y - pin[1]]];
                 before.iter().all(|&step| step > least) || after.iter().all(|&step| step > least)
@@ -79,33 +87,34 @@ pub fn hold_places(places: &mut Vec<[f64; 2]>, held: &[[f64; 2]]) {
     }
 }
 
-/// Whether places ascend strictly on both curves and keep within a lap.
-fn ascends(places: &[[f64; 2]]) -> bool {
-    let lap = places.first().map(|[x, y]| [x + 1.0, y + 1.0]);
+/// Whether places ascend strictly on both curves and, on closed ones, keep within a lap.
+pub(super) fn ascends(places: &[[f64; 2]], closed: bool) -> bool {
+    let lap = places.first().filter(|_| closed).map(|[x, y]| [x + 1.0, y + 1.0]);
     let next = places.iter().copied().skip(1).chain(lap);
     places.iter().zip(next).all(|([x, y], [u, v])| *x < u && *y < v)
 }
 
-/// Points of the piecewise straight correspondence at equal steps of mu from its first place on.
-pub(super) fn at_even_means(places: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+/// Points of the piecewise straight correspondence at equal steps of mu from its first place on, of open curves to its last one.
+pub(super) fn at_even_means(places: &[[f64; 2]], closed: bool, count: usize) -> Vec<[f64; 2]> {
     let mean = |place: &[f64; 2]| (place[0] + place[1]) / 2.0;
-    let begin = mean(&places[0]);
+    let mut chain = places.to_vec();
+    // Closed curves come back to the first place a lap on, where no line is wanted again.
+    chain.extend(places.first().filter(|_| closed).map(|place| place.map(|share| share + 1.0)));
+    let steps = if closed { count } else { (count - 1).max(1) };
+    let (begin, end) = (mean(&chain[0]), mean(&chain[chain.len() - 1]));
     let mut k = 0;
-    let place = |k: usize| {
-        let laps = (k / places.len()) as f64;
-        places[k % places.len()].map(|share| share + laps)
+    let at = |line: usize| {
+        let wanted = begin + (end - begin) * line as f64 / steps as f64;
+        while k + 2 < chain.len() && mean(&chain[k + 1]) <= wanted {
+            k += 1;
+        }
+        let (from, to) = (chain[k], chain[(k + 1).min(chain.len() - 1)]);
+        let step = mean(&to) - mean(&from);
+        let t = if step > 0.0 { ((wanted - mean(&from)) / step).clamp(0.0, 1.0) } else { 0.0 };
+        // The ends of the correspondence are met exactly.
+        [0, 1].map(|curve| if t < 1.0 { from[curve] + t * (to[curve] - from[curve]) } else { to[curve] })
     };
-    (0..count)
-        .map(|line| {
-            let wanted = begin + line as f64 / count as f64;
-            while mean(&place(k + 1)) <= wanted && k < places.len() {
-                k += 1;
-            }
-            let (from, to) = (place(k), place(k + 1));
-            let t = (wanted - mean(&from)) / (mean(&to) - mean(&from));
-            [0, 1].map(|curve| from[curve] + t.clamp(0.0, 1.0) * (to[curve] - from[curve]))
-        })
-        .collect()
+    (0..count).map(at).collect()
 }
 
 /// Moves lines along their anti-diagonals, as little as possible by least squares, until both ends ascend strictly, each on its own side
@@ -164,7 +173,7 @@ fn walls(line: &[[f64; 2]], curve: usize, corners: &[f64]) -> Vec<(usize, f64)> 
 }
 
 /// Replaces numbers by the closest weakly ascending ones in the sense of least squares: pools neighbours that descend.
-fn make_ascending(numbers: &mut [f64]) {
+pub(super) fn make_ascending(numbers: &mut [f64]) {
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for &number in numbers.iter() {
         let (mut sum, mut count) = (number, 1);
@@ -235,7 +244,7 @@ mod tests {
                 let corners = [0, 1].map(|_| (0..case % 4).map(|k| (k as f64 + 0.37) / 4.0).collect());
                 let spread = spread_evenly(&places, count, &corners, |_| numbers.between(-noise, noise));
                 assert_eq!(spread.len(), count);
-                assert!(ascends(&spread), "case {case}, {count} lines: {places:?}");
+                assert!(ascends(&spread, true), "case {case}, {count} lines: {places:?}");
                 for pair in means(&spread).windows(2) {
                     assert!(
                         (pair[1] - pair[0] - 1.0 / count as f64).abs() < 1e-9,
@@ -253,9 +262,9 @@ mod tests {
         let places = [[0.0, 0.0], [before, 0.4], [before, 0.62], [0.5, 0.62], [0.5, 0.7]];
         for count in [20, 100, 1000] {
             let corners = [vec![0.5], Vec::new()];
-            let plain = at_even_means(&places, count);
+            let plain = at_even_means(&places, true, count);
             let spread = spread_evenly(&places, count, &corners, |_| 0.0);
-            assert!(ascends(&spread));
+            assert!(ascends(&spread, true));
             for (place, plain) in spread.iter().zip(&plain) {
                 assert_eq!(place[0] < 0.5, plain[0] < 0.5 - APART / 2.0, "{count}: {plain:?} to {place:?}");
                 assert!((place[0] - plain[0]).abs() < 3e-3, "{count}: {plain:?} to {place:?}");
@@ -283,8 +292,8 @@ mod tests {
             let wobble = numbers.between(-0.1, 0.1);
             let held = shares.map(|x| [x, x + 0.4 + wobble]);
             let mut found = places.clone();
-            hold_places(&mut found, &held);
-            assert!(ascends(&found), "case {case}: {found:?}");
+            hold_places(&mut found, true, &held);
+            assert!(ascends(&found, true), "case {case}: {found:?}");
             for pin in held {
                 let is_pin = |place: &[f64; 2]| {
                     let off = [place[0] - pin[0], place[1] - pin[1]];
@@ -302,16 +311,16 @@ mod tests {
             // One line leans on the vertex that the held one ends in, or lies a bit beside it.
             let share = f64::from_bits((0.5_f64.to_bits() as i64 + ulps) as u64);
             let mut places = vec![[0.1, 0.1], [share, 0.4], [0.52, 0.6], [0.8, 0.8]];
-            hold_places(&mut places, &[[0.5, 0.55]]);
+            hold_places(&mut places, true, &[[0.5, 0.55]]);
             assert_eq!(places, [[0.1, 0.1], [0.5, 0.55], [0.8, 0.8]]);
         }
         let mut places = vec![[0.1, 0.1], [0.3, 0.3], [0.6, 0.6], [0.8, 0.8]];
         let held = [[0.5, 0.5], [0.5 + 1e-6, 0.5 + 1e-6]];
-        hold_places(&mut places, &held);
+        hold_places(&mut places, true, &held);
         assert!(held.iter().all(|pin| places.contains(pin)), "held places may be as near as they like");
         for held in [[[0.5, 0.5], [0.5, 0.7]], [[0.5, 0.7], [0.5, 0.5]], [[0.4, 0.5], [0.7, 0.5]]] {
             let mut places = vec![[0.1, 0.1], [0.3, 0.3], [0.6, 0.6], [0.8, 0.8]];
-            hold_places(&mut places, &held);
+            hold_places(&mut places, true, &held);
             assert!(held.iter().all(|pin| places.contains(pin)), "{places:?}");
             assert!(places.windows(2).all(|w| w[0][0] <= w[1][0] && w[0][1] <= w[1][1]), "{places:?}");
         }

@@ -1,6 +1,7 @@
 //! The exact optimum over all matchings of two outlines.
 
 use super::lattice::{ABSENT, Lattice, Survey};
+use super::measure::cross;
 use super::path::{Path, PathFinder, Rule, lines_of};
 use super::pins::pinned_paths;
 use super::rounds::Rounds;
@@ -99,6 +100,13 @@ pub enum Obstacle {
         /// Indices of the two pins in cyclic order, equal when there is one pin.
         pins: [usize; 2],
     },
+    /// The line that joins the first ends of open outlines, or the last ones, meets an outline.
+    EndBlocked {
+        /// Whether it is that of the last ends.
+        last: bool,
+    },
+    /// The lines that join the ends of open outlines cross.
+    EndsCross,
     /// Some vertices see no vertex of the other outline.
     Orphans,
     /// Each vertex sees some, but a stretch of neighbours cannot all have lines at once.
@@ -117,6 +125,12 @@ impl fmt::Display for Obstacle {
             Self::NoRoom { pins: [i, k] } => {
                 write!(f, "no matching holds pins {i} and {k}: not every vertex between them can have a line")
             }
+            Self::EndBlocked { last } => write!(
+                f,
+                "the line that joins the {} of the curves meets a curve",
+                if last { "ends" } else { "starts" }
+            ),
+            Self::EndsCross => write!(f, "the lines that join the starts and the ends of the curves cross"),
             Self::Orphans => write!(f, "some vertices see no vertex of the other curve"),
             Self::Jammed(Stretch { outline, first, count }) => write!(
                 f,
@@ -220,7 +234,9 @@ impl Exact {
         let State::Searching(search) = &mut self.state else { return None };
         let pins = &self.options.pins;
         loop {
-            let found = if pins.is_empty() {
+            let found = if let Some(Obstacle::EndsCross) = end_obstacle(&self.problem, &search.lattice) {
+                Err(Some(Obstacle::EndsCross))
+            } else if pins.is_empty() {
                 while search.rounds.advance(&search.lattice, &mut self.finder) {
                     if !may_go_on() {
                         return None;
@@ -237,7 +253,7 @@ impl Exact {
                     search.rounds = Rounds::new(&repaired, rule);
                     search.visible = Some(std::mem::replace(&mut search.lattice, repaired));
                 }
-                Err(obstacle) => return Some(Err(Box::new(search.infeasible(obstacle)))),
+                Err(obstacle) => return Some(Err(Box::new(search.infeasible(&self.problem, obstacle)))),
             }
         }
     }
@@ -258,7 +274,7 @@ impl Search {
         Optimum { lines, value, occluded, best: visible.best() }
     }
 
-    fn infeasible(&self, obstacle: Option<Obstacle>) -> Infeasible {
+    fn infeasible(&self, problem: &Problem, obstacle: Option<Obstacle>) -> Infeasible {
         let visible = self.visible.as_ref().unwrap_or(&self.lattice);
         let best = visible.best();
         let orphans = best
@@ -275,11 +291,22 @@ impl Search {
             }
             obstacle => obstacle,
         };
-        let obstacle = obstacle.unwrap_or_else(|| {
+        let obstacle = obstacle.or_else(|| end_obstacle(problem, visible)).unwrap_or_else(|| {
             if is_blind { Obstacle::Orphans } else { Obstacle::Jammed(shortest_stretch(visible)) }
         });
         Infeasible { orphans, obstacle, best }
     }
+}
+
+/// What is wrong with the lines between the ends of open outlines that have to be joined.
+fn end_obstacle(problem: &Problem, visible: &Lattice) -> Option<Obstacle> {
+    let tied = problem.tied()?;
+    let is_blocked = |(from, to): (usize, usize)| visible.row(from).at(to as i64) == ABSENT;
+    if let Some(last) = tied.into_iter().position(is_blocked) {
+        return Some(Obstacle::EndBlocked { last: last == 1 });
+    }
+    let line = |(from, to): (usize, usize)| visible.line(from, to as i64);
+    cross(problem.outlines(), &line(tied[0]), &line(tied[1])).then_some(Obstacle::EndsCross)
 }
 
 /// The objective over lines in cyclic order, where occluded ones count nothing.
@@ -293,6 +320,8 @@ fn worth(lattice: &Lattice, rule: Rule, lines: &[RulingLine], occluded: &[usize]
         };
         let mass = mass(0, line.from, next.from) + mass(1, line.to, next.to);
         let ends = value(k).unwrap_or(0.0) + value((k + 1) % lines.len()).unwrap_or(0.0);
+        let closes = lattice.ends().is_none() || k + 1 < lines.len();
+        let mass = if closes { mass } else { 0.0 };
         value(k).map_or(0.0, |value| cells * value - price) + steps * mass * ends / 2.0
     };
     (0..lines.len()).map(each).sum()
@@ -302,12 +331,11 @@ fn worth(lattice: &Lattice, rule: Rule, lines: &[RulingLine], occluded: &[usize]
 /// lines always win.
 fn with_occluded(problem: &Problem, visible: &Lattice) -> Lattice {
     let (a, b) = problem.counts();
-    let shares = problem.outlines().each_ref().map(|outline| outline.shares.clone());
     let values = (0..a).flat_map(|row| visible.row(row).values.iter().copied());
     let largest = values.filter(|value| *value != ABSENT).fold(0.0, |most: f64, value| most.max(value.abs()));
     let largest = if largest > 0.0 { largest } else { 1.0 };
     let penalty = -largest * (1e3 + 4.0 * (a + b) as f64);
-    let mut lattice = Lattice::new(shares);
+    let mut lattice = Lattice::of(problem);
     let mut row = Vec::new();
     for from in 0..a {
         row.clear();
@@ -319,7 +347,8 @@ fn with_occluded(problem: &Problem, visible: &Lattice) -> Lattice {
         }
         for to in (0..b).filter(|&to| !is_visible[to]) {
             let lifted = problem.lift(from, to);
-            row.extend([-1, 0, 1].map(|laps| (lifted + laps * b as i64, penalty)));
+            let laps: &[i64] = if problem.ends().is_some() { &[0] } else { &[-1, 0, 1] };
+            row.extend(laps.iter().map(|laps| (lifted + laps * b as i64, penalty)));
         }
         lattice.push_row(&row);
     }

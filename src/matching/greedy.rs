@@ -63,7 +63,7 @@ pub fn greedy(problem: &Problem) -> Matching {
 /// the best to the worst accepts the same lines in the same order as the paper's repeated scans. Values are
 /// compared to 40 significant bits; among equal ones the lower vertex of the first outline, then of the second,
 /// comes first. Crossing is decided by lifted indices; the printed index interval (Eq. 12) loses count of the laps.
-/// Redundant lines are removed at the end.
+/// Redundant lines are removed at the end. Between open outlines whose ends are tied the lines there come first of all.
 ///
 /// The job ends also when no further line is admissible although a vertex has none: see [`Totals::uncovered`].
 #[derive(Debug)]
@@ -113,12 +113,12 @@ impl Greedy {
             rows: Vec::with_capacity(a),
             best: [vec![f64::NEG_INFINITY; a], vec![f64::NEG_INFINITY; b]],
             heads: BinaryHeap::new(),
-            chain: Chain::new(a, b),
+            chain: if problem.ends().is_some() { Chain::open(a, b) } else { Chain::new(a, b) },
             covered: [vec![false; a], vec![false; b]],
             bare: a + b,
             growth: Vec::new(),
             printed,
-            lattice: Lattice::new(problem.outlines().each_ref().map(|outline| outline.shares.clone())),
+            lattice: Lattice::of(&problem),
             problem,
         }
     }
@@ -130,6 +130,9 @@ impl Greedy {
             if !may_go_on() {
                 return None;
             }
+        }
+        if self.growth.is_empty() {
+            self.tie();
         }
         while self.grow() {
             if !may_go_on() {
@@ -169,6 +172,24 @@ impl Greedy {
         self.rows.push(row);
     }
 
+    /// Takes the lines that join the ends of open outlines, where they have to be joined and see each other.
+    fn tie(&mut self) {
+        for (from, to) in self.problem.tied().into_iter().flatten() {
+            let value = self.lattice.row(from).at(to as i64);
+            let line = RulingLine { from, to, lifted: to as i64, value };
+            if value > f64::NEG_INFINITY && self.chain.admits(from, line.lifted) {
+                self.accept(line);
+            }
+        }
+    }
+
+    fn accept(&mut self, line: RulingLine) {
+        self.chain.insert(line.from, line.lifted);
+        self.cover(0, line.from);
+        self.cover(1, line.to);
+        self.growth.push(line);
+    }
+
     /// Takes some candidates; returns whether there is more to do.
     fn grow(&mut self) -> bool {
         for _ in 0..POPS_BETWEEN_LOOKS {
@@ -178,16 +199,16 @@ impl Greedy {
             let Some(Head(candidate)) = self.heads.pop() else { return false };
             let line = candidate.line;
             self.heads.extend(self.rows[line.from].pop().map(Head));
-            let is_valid = if self.printed.order {
+            let is_tied = self.problem.tied().is_some_and(|tied| tied.contains(&(line.from, line.to)));
+            let is_valid = if is_tied {
+                false
+            } else if self.printed.order {
                 self.chain.admits_as_printed(line.from, line.to)
             } else {
                 self.chain.admits(line.from, line.lifted)
             };
             if is_valid {
-                self.chain.insert(line.from, line.lifted);
-                self.cover(0, line.from);
-                self.cover(1, line.to);
-                self.growth.push(line);
+                self.accept(line);
                 if self.printed.stop {
                     return false;
                 }
@@ -208,7 +229,7 @@ impl Greedy {
         let kept = prune(&self.growth, a, b);
         let order = order_by_pair(kept.len(), |i| [kept[i].from as i64, kept[i].lifted]);
         let lines: Vec<RulingLine> = order.into_iter().map(|i| kept[i]).collect();
-        let bound = Bound::new(&self.problem, &self.best);
+        let bound = Bound::of(&self.problem, &self.best, &lines);
         let totals = measure(&self.problem, &lines, bound);
         let orphans = self
             .best

@@ -2,7 +2,7 @@
 
 use super::quadrature::Quadrature;
 use super::value::End;
-use super::{Layout, Matching, Outline, Problem, RulingLine, Totals, blocking_edge, measure::cross};
+use super::{Ends, Layout, Matching, Outline, Problem, RulingLine, Totals, blocking_edge, measure::cross};
 use crate::curve::{ArcLength, ClosedBSpline, Samples};
 use crate::geom::segment_crossing;
 use glam::DVec2;
@@ -98,7 +98,8 @@ struct Gap {
 ///
 /// The first pass keeps the best line of every vertex of the first curve; the vertices of the second that lie between the
 /// partners of two neighbours get partners of their own there, at parameters in the same proportion. The second pass keeps
-/// the best line of every vertex of the second curve and spreads the others in the same way. The number of lines
+/// the best line of every vertex of the second curve and spreads the others in the same way; on open curves the first and the last line
+/// keep both ends. The number of lines
 /// stays, and the parameters of both ends ascend strictly.
 ///
 /// The paper infers that inserted lines cannot intersect. They can, and they can meet a polygon; so every line is
@@ -110,6 +111,8 @@ pub struct Insertion {
     arc_lengths: [ArcLength; 2],
     problem: Problem,
     counts: [usize; 2],
+    /// The vertices of the sampled outlines.
+    samples: [Vec<Spot>; 2],
     gaps: Vec<Gap>,
     /// The set as it is now, and the owner of each inserted vertex of the refined outlines.
     joins: Vec<Join>,
@@ -137,6 +140,8 @@ impl Insertion {
         let passes = Passes { curves, arc_lengths: &arc_lengths, samples, problem, lines: &matching.lines };
         let mut job = Self {
             gaps: passes.gaps(),
+            samples: [0, 1]
+                .map(|axis| (0..samples[axis].arc.len() as i64).map(|k| passes.vertex(axis, k)).collect()),
             curves: curves.clone(),
             arc_lengths,
             problem: problem.clone(),
@@ -220,8 +225,9 @@ impl Insertion {
             joins.push(gap.kept);
             joins.extend(others);
         }
-        let (period, end) = (self.periods()[0], self.curves[0].domain().1);
-        let beyond = joins.iter().filter(|join| join.ends[0].parameter(period) >= end).count();
+        let (period, end, closed) = (self.periods()[0], self.curves[0].domain().1, self.is_closed());
+        let is_beyond = |join: &&Join| closed && join.ends[0].parameter(period) >= end;
+        let beyond = joins.iter().filter(is_beyond).count();
         joins.rotate_right(beyond);
         for join in &mut joins[..beyond] {
             for end in &mut join.ends {
@@ -229,8 +235,15 @@ impl Insertion {
             }
         }
         let [(first, from, first_owners), (second, to, second_owners)] = [0, 1].map(|axis| {
-            let (numbers, vertices) = vertices(&joins, axis);
-            (outline(&vertices, axis, self.arc_lengths[axis].total()), numbers, owners(&vertices, axis))
+            let (mut numbers, mut vertices) = vertices(&joins, axis);
+            if let (false, [first, .., last]) = (closed, joins.as_slice()) {
+                // Vertices beyond the first and the last line stay where they are.
+                let [before, after] = self.left_out(axis, [first, last]);
+                numbers.iter_mut().for_each(|number| *number += before.len());
+                vertices = before.into_iter().chain(vertices).chain(after).collect();
+            }
+            let total = self.arc_lengths[axis].total();
+            (outline(&vertices, axis, total, closed), numbers, owners(&vertices, axis))
         });
         self.problem = self.problem.refined([first, second]);
         let (a, b) = self.problem.counts();
@@ -243,6 +256,25 @@ impl Insertion {
         self.joins = joins;
         self.verified.clear();
         (self.crossings, self.blocked, self.has_failed) = (0, 0, false);
+    }
+
+    fn is_free(&self) -> bool {
+        self.problem.ends() == Some(Ends::Free)
+    }
+
+    fn is_closed(&self) -> bool {
+        self.problem.ends().is_none()
+    }
+
+    /// Vertices of an open outline before its first line and after its last one.
+    fn left_out(&self, axis: usize, [first, last]: [&Join; 2]) -> [Vec<Join>; 2] {
+        let vertex = |join: &Join| join.ends[axis].vertex.unwrap_or(0);
+        let join = |&spot: &Spot| Join { ends: [spot; 2], gap: 0 };
+        let samples = &self.samples[axis];
+        [
+            samples[..vertex(first)].iter().map(join).collect(),
+            samples[vertex(last) + 1..].iter().map(join).collect(),
+        ]
     }
 
     /// Checks one line against every edge and every later line.
@@ -269,7 +301,7 @@ impl Insertion {
         }
         // Where the projections cross, a line that meets no edge may still run outside the band between them.
         let leaves = block.is_none()
-            && self.problem.layout() == Layout::Crossing
+            && !matches!(self.problem.layout(), Layout::FirstInside | Layout::SecondInside)
             && !self.problem.is_visible(line.from, line.to);
         if leaves {
             faults.push((own(k), (p + q) / 2.0));
@@ -304,7 +336,10 @@ impl Insertion {
             for vertex in self.joins.iter().filter_map(|join| join.ends[axis].vertex) {
                 covered[vertex] = true;
             }
-            bare.retain(|&vertex| !covered[vertex]);
+            let first = covered.iter().position(|&covered| covered).filter(|_| self.is_free());
+            let last = covered.iter().rposition(|&covered| covered).filter(|_| self.is_free());
+            let reached = first.unwrap_or(0)..=last.unwrap_or(covered.len());
+            bare.retain(|vertex| !covered[*vertex] && reached.contains(vertex));
         }
         let totals = Totals {
             count,
@@ -356,16 +391,23 @@ fn vertices(joins: &[Join], axis: usize) -> (Vec<usize>, Vec<Join>) {
     (numbers, vertices)
 }
 
-fn outline(vertices: &[Join], axis: usize, length: f64) -> Outline {
+fn outline(vertices: &[Join], axis: usize, length: f64, closed: bool) -> Outline {
     let spot = |k: usize| vertices[k % vertices.len()].ends[axis];
     let all = 0..vertices.len();
     let next = |k: usize| {
-        if k + 1 < vertices.len() { spot(k + 1).arc(length) } else { spot(0).arc(length) + length }
+        if k + 1 < vertices.len() {
+            spot(k + 1).arc(length)
+        } else if closed {
+            spot(0).arc(length) + length
+        } else {
+            spot(k).arc(length)
+        }
     };
     Outline {
         points: all.clone().map(|k| spot(k).end.point).collect(),
         normals: all.clone().map(|k| spot(k).end.normal).collect(),
         shares: all.map(|k| (next(k) - spot(k).arc(length)) / length).collect(),
+        closed,
     }
 }
 
@@ -426,8 +468,16 @@ impl Passes<'_> {
         Join { ends: [from, self.vertex(1, line.lifted + laps * b as i64)], gap }
     }
 
-    /// Tells whether line `k` is better than line `other`; of equal ones neither is.
+    fn is_closed(&self) -> bool {
+        self.problem.ends().is_none()
+    }
+
+    /// Tells whether line `k` is better than an earlier line `other`; of equal ones neither is. Between open outlines the first and the
+    /// last line keep their ends.
     fn is_better(&self, k: usize, other: usize) -> bool {
+        if !self.is_closed() && (other == 0 || k + 1 == self.lines.len()) {
+            return other > 0;
+        }
         let [(value, tie), (least, limit)] = [k, other].map(|k| {
             let line = &self.lines[k];
             self.problem.rank(line.from, line.to, line.value)
@@ -439,18 +489,25 @@ impl Passes<'_> {
     fn first(&self) -> Vec<Spread> {
         let (a, b) = self.problem.counts();
         let mut best: Vec<usize> = Vec::with_capacity(a);
+        // What lies before the first line between open outlines is left out.
+        let begin = if self.is_closed() { 0 } else { self.lines.first().map_or(0, |line| line.from) };
         for (k, line) in self.lines.iter().enumerate() {
-            if line.from == best.len() {
+            let i = line.from - begin;
+            if i == best.len() {
                 best.push(k);
-            } else if self.is_better(k, best[line.from]) {
-                best[line.from] = k;
+            } else if self.is_better(k, best[i]) {
+                best[i] = k;
             }
         }
         let mut spread = Vec::new();
         for (i, &k) in best.iter().enumerate() {
             let this = self.lines[k].lifted;
-            let next =
-                best.get(i + 1).map_or(self.lines[best[0]].lifted + b as i64, |&k| self.lines[k].lifted);
+            let i = i + begin;
+            let next = best.get(i + 1 - begin).map(|&k| self.lines[k].lifted);
+            let Some(next) = next.or(self.is_closed().then(|| self.lines[best[0]].lifted + b as i64)) else {
+                spread.push(Spread { u: self.parameter(0, i as i64), star: Some((k, 0)), lifted: this });
+                break;
+            };
             let [u, end] = [i, i + 1].map(|i| self.parameter(0, i as i64));
             let [v, reach] = [this, next].map(|lifted| self.parameter(1, lifted));
             spread.push(Spread { u, star: Some((k, 0)), lifted: this });
@@ -472,7 +529,7 @@ impl Passes<'_> {
         });
         // Begin where one group of lines with a common end on the second curve ends and the next begins.
         let begins = |k: usize| k > 0 && spread[k].lifted != spread[k - 1].lifted;
-        let start = (0..count).find(|&k| begins(k)).unwrap_or(0);
+        let start = (0..count).find(|&k| self.is_closed() && begins(k)).unwrap_or(0);
         spread.rotate_left(start);
         for line in &mut spread[count - start..] {
             line.u += period;
@@ -509,6 +566,8 @@ impl Passes<'_> {
         let first = (0..best.len()).find(|&g| spread[best[g]].star.is_some()).unwrap_or(0);
         for g in first..first + best.len() {
             let [this, next] = [g, g + 1].map(|g| best[g % best.len()] + g / best.len() * count);
+            let is_last = !self.is_closed() && g + 1 == best.len();
+            let next = if is_last { this } else { next };
             let (here, there) = (on(this), on(next));
             let end = self.vertex(1, here.lifted);
             let gap = match here.star {
@@ -539,7 +598,8 @@ impl Passes<'_> {
         let lines = self.lines.len() as i64;
         for (g, gap) in gaps.iter_mut().enumerate() {
             let place = |(star, laps): (usize, i64)| star as i64 + laps * lines;
-            let next = kept.get(g + 1).map_or_else(|| place(kept[0]) + lines, |&kept| place(kept));
+            let end = || if self.is_closed() { place(kept[0]) + lines } else { lines };
+            let next = kept.get(g + 1).map_or_else(end, |&kept| place(kept));
             let between = place(kept[g]) + 1..next;
             gap.stars =
                 between.map(|at| self.star(at.rem_euclid(lines) as usize, at.div_euclid(lines), g)).collect();

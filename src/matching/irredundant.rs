@@ -4,7 +4,7 @@ use super::lattice::{ABSENT, Lattice, Survey};
 use super::{Problem, RulingLine};
 
 /// Returns the lines of the greatest sum of f among matchings without redundant lines (both of whose ends have another
-/// line), in cyclic order; `None` when no matching keeps the constraints.
+/// line), in cyclic order; `None` when no matching keeps the constraints, and of open outlines.
 ///
 /// On the lattice such a matching never turns from a step (1, 0) to a step (0, 1) or back, so a state for each last
 /// step is kept. Paths that meet may not exchange their ends here, which rules out divide and conquer: every start is tried with
@@ -12,6 +12,9 @@ use super::{Problem, RulingLine};
 /// [`Objective`](super::Objective) for what to prefer.
 #[must_use]
 pub fn irredundant(problem: &Problem) -> Option<Vec<RulingLine>> {
+    if problem.ends().is_some() {
+        return None;
+    }
     let mut survey = Survey::new(problem);
     while survey.advance(problem) {}
     let lattice = survey.take();

@@ -53,6 +53,12 @@ impl Spread {
         Self { path, is_kept: is_held.clone(), is_held, even, faults: Vec::new(), reach: 0 }
     }
 
+    /// The evenly spread lines.
+    #[must_use]
+    pub fn even(&self) -> &[[f64; 2]] {
+        &self.even
+    }
+
     /// The lines to try, in cyclic order: weakly ascending where lines of the matching were put in, else strictly.
     #[must_use]
     pub fn places(&self) -> Vec<[f64; 2]> {

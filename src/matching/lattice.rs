@@ -2,7 +2,7 @@
 
 use super::row::{Wedges, visible_lines};
 use super::visibility::Sight;
-use super::{Problem, RulingLine};
+use super::{Ends, Problem, RulingLine};
 use std::ops::RangeInclusive;
 
 /// The value of a cell without a line.
@@ -13,10 +13,12 @@ pub(super) const ABSENT: f64 = f64::NEG_INFINITY;
 /// Row i is vertex i of the first outline, column J a lifted vertex of the second (see
 /// [`RulingLine::lifted`]). Everything repeats under the deck translation (a, b): rows may be asked for beyond a. Covers of
 /// both outlines without crossings are the monotone paths from a cell to its own translate, by steps (1, 0), (0, 1) and
-/// (1, 1). Lines from one vertex fill at most one lap of columns, so a row is stored as one dense run.
+/// (1, 1). Lines from one vertex fill at most one lap of columns, so a row is stored as one dense run. Between open outlines nothing
+/// repeats: the paths run from the first row or column to the last one, or from corner to corner where the ends are tied.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lattice {
     counts: (usize, usize),
+    ends: Option<Ends>,
     rows: Vec<Row>,
     values: Vec<f64>,
     masses: [Vec<f64>; 2],
@@ -54,14 +56,19 @@ impl Cells<'_> {
 }
 
 impl Lattice {
-    /// A lattice of no rows, for outlines of `a` and `b` vertices with the shares of arc length of their edges.
-    pub(super) fn new(shares: [Vec<f64>; 2]) -> Self {
+    /// A lattice of no rows, for the outlines of a problem.
+    pub(super) fn of(problem: &Problem) -> Self {
+        Self::new(problem.outlines().each_ref().map(|outline| outline.shares.clone()), problem.ends())
+    }
+
+    /// A lattice of no rows, for outlines with these shares of arc length of their edges.
+    pub(super) fn new(shares: [Vec<f64>; 2], ends: Option<Ends>) -> Self {
         let counts = (shares[0].len(), shares[1].len());
         let masses = shares.map(|mut shares| {
             shares.rotate_right(1);
             shares.iter().map(|share| share / 2.0).collect()
         });
-        Self { counts, rows: Vec::with_capacity(counts.0), values: Vec::new(), masses }
+        Self { counts, ends, rows: Vec::with_capacity(counts.0), values: Vec::new(), masses }
     }
 
     /// Adds the next row from lifted columns and values in any order; columns not named have no line.
@@ -79,6 +86,11 @@ impl Lattice {
     /// Numbers of rows and of columns in one lap.
     pub(super) fn counts(&self) -> (usize, usize) {
         self.counts
+    }
+
+    /// What becomes of the ends of open outlines; `None` when they are closed.
+    pub(super) fn ends(&self) -> Option<Ends> {
+        self.ends
     }
 
     /// Number of rows added so far.
@@ -145,7 +157,8 @@ impl Lattice {
         }
         let [first, second] = self.masses.clone();
         let (values, masses) = (Vec::with_capacity(self.values.len()), [second, first]);
-        let mut transposed = Self { counts: (b, a), rows: Vec::with_capacity(b), values, masses };
+        let mut transposed =
+            Self { counts: (b, a), ends: self.ends, rows: Vec::with_capacity(b), values, masses };
         rows.iter().for_each(|row| transposed.push_row(row));
         transposed
     }
@@ -170,11 +183,10 @@ pub(super) struct Survey {
 
 impl Survey {
     pub(super) fn new(problem: &Problem) -> Self {
-        let shares = problem.outlines().each_ref().map(|outline| outline.shares.clone());
         Self {
             wedges: Wedges::new(problem),
             sight: Sight::new(problem.outlines()),
-            lattice: Lattice::new(shares),
+            lattice: Lattice::of(problem),
             line_buffer: Vec::new(),
             band: None,
         }

@@ -1,7 +1,8 @@
 //! What a set of lines is worth, and whether it keeps the constraints.
 
-use super::{Outline, Problem, RulingLine};
+use super::{Ends, Outline, Problem, RulingLine};
 use crate::geom::segments_meet;
+use std::ops::Range;
 
 /// Figures of a set of ruling lines.
 ///
@@ -23,11 +24,11 @@ pub struct Totals {
     pub crossings: usize,
     /// Lines that meet a polygon, counted by looking at every edge; where projections cross, also those that leave the band between them.
     pub blocked: usize,
-    /// Vertices of each outline without a line.
+    /// Vertices of each outline without a line; where ends are free, only those between the first and the last line.
     pub uncovered: [Vec<usize>; 2],
 }
 
-/// An upper bound of J over every matching of the same samples: each vertex with its best visible partner.
+/// An upper bound of J over every matching of the same samples, or of a part of them: each vertex with its best visible partner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bound(f64);
 
@@ -35,11 +36,31 @@ impl Bound {
     /// Computes the bound from the greatest value of a visible line at each vertex of each outline.
     #[must_use]
     pub fn new(problem: &Problem, best: &[Vec<f64>; 2]) -> Self {
-        let halves = problem.outlines().iter().zip(best).map(|(outline, best)| {
-            let next = best.iter().cycle().skip(1);
-            let ends = best.iter().zip(next).map(|(f, g)| (f + g) / 2.0);
-            outline.shares.iter().zip(ends).map(|(share, f)| share * f).sum::<f64>() / 2.0
-        });
+        Self::along(problem, best, [(0, usize::MAX); 2])
+    }
+
+    /// Computes the bound over what `lines` reach: all of closed outlines, and of open ones with free ends the stretches from the first line
+    /// to the last.
+    #[must_use]
+    pub fn of(problem: &Problem, best: &[Vec<f64>; 2], lines: &[RulingLine]) -> Self {
+        match (problem.ends(), lines) {
+            (Some(Ends::Free), [first, .., last]) => {
+                Self::along(problem, best, [(first.from, last.from), (first.to, last.to)])
+            }
+            _ => Self::new(problem, best),
+        }
+    }
+
+    /// The bound over the edges between two vertices of each outline.
+    fn along(problem: &Problem, best: &[Vec<f64>; 2], spans: [(usize, usize); 2]) -> Self {
+        let halves =
+            problem.outlines().iter().zip(best).zip(spans).map(|((outline, best), (first, last))| {
+                let next = best.iter().cycle().skip(1);
+                let ends = best.iter().zip(next).map(|(f, g)| (f + g) / 2.0);
+                let edges = outline.shares.iter().zip(ends).enumerate();
+                let inside = edges.filter(|(k, (share, _))| (first..last).contains(k) && **share > 0.0);
+                inside.map(|(_, (share, f))| share * f).sum::<f64>() / 2.0
+            });
         Self(halves.sum())
     }
 
@@ -78,7 +99,25 @@ fn uncovered(problem: &Problem, lines: &[RulingLine]) -> [Vec<usize>; 2] {
         covered[0][line.from] = true;
         covered[1][line.to] = true;
     }
-    covered.map(|covered| (0..covered.len()).filter(|&vertex| !covered[vertex]).collect())
+    let reached = reached(problem, lines);
+    [0, 1].map(|outline| reached[outline].clone().filter(|&vertex| !covered[outline][vertex]).collect())
+}
+
+/// Vertices of each outline beyond the first and the last line, which free ends leave out.
+#[must_use]
+pub fn left_out(problem: &Problem, lines: &[RulingLine]) -> [Vec<usize>; 2] {
+    let (a, b) = problem.counts();
+    let [first, second] = reached(problem, lines);
+    [(first, a), (second, b)].map(|(reached, count)| (0..reached.start).chain(reached.end..count).collect())
+}
+
+/// Vertices of each outline that lines have to reach: all of them, or where the ends are free those from the first line to the last.
+fn reached(problem: &Problem, lines: &[RulingLine]) -> [Range<usize>; 2] {
+    let (a, b) = problem.counts();
+    match (problem.ends(), lines) {
+        (Some(Ends::Free), [first, .., last]) => [first.from..last.from + 1, first.to..last.to + 1],
+        _ => [0..a, 0..b],
+    }
 }
 
 /// J of lines that cover every vertex: a step from one line to the next moves on by at most one edge on each outline, and
@@ -87,9 +126,11 @@ fn integral(problem: &Problem, lines: &[RulingLine]) -> f64 {
     let (a, b) = problem.counts();
     let [first, second] = problem.outlines();
     let next = lines.iter().cycle().skip(1);
+    let gaps = if problem.ends().is_some() { lines.len() - 1 } else { lines.len() };
     lines
         .iter()
         .zip(next)
+        .take(gaps)
         .map(|(line, next)| {
             let steps = |from: usize, to: usize, n: usize| (to + n - from) % n;
             let on_first = (0..steps(line.from, next.from, a)).map(|k| first.shares[(line.from + k) % a]);

@@ -1,4 +1,4 @@
-//! Matching of two closed curves by ruling lines.
+//! Matching of two curves by ruling lines: closed ones, one inside the other, or open ones.
 //!
 //! After Samanta, Ozbolat and Koc, *Optimized normal and distance matching for heterogeneous object modeling* (Computers &
 //! Industrial Engineering, 2014), here called *the paper*. Both curves are sampled into polygons; a [`RulingLine`] joins a
@@ -15,6 +15,7 @@
 mod chain;
 mod details;
 mod even;
+mod even_open;
 mod exact;
 mod greedy;
 mod insert;
@@ -32,6 +33,7 @@ mod problem;
 mod prune;
 mod quadrature;
 mod refine;
+mod refine_open;
 mod rivals;
 mod rounds;
 mod row;
@@ -53,10 +55,10 @@ pub use insert::{FailedGap, Inserted, Insertion, OneToOne};
 pub use irredundant::irredundant;
 pub use keep::Spread;
 pub use mean::best_mean;
-pub use measure::{Bound, Totals, broken, measure};
+pub use measure::{Bound, Totals, broken, left_out, measure};
 pub use outline::Outline;
 pub use place::{Placing, places_of, places_of_pairs};
-pub use problem::{Layout, Problem, ProblemError};
+pub use problem::{Ends, Layout, Problem, ProblemError};
 pub use prune::{prune, prune_as_printed};
 pub use refine::{Refine, Refined, even_places};
 pub use rivals::{Fate, Rival, Standing, standings};

@@ -29,14 +29,36 @@ pub(super) struct Path {
     pub(super) row: usize,
     pub(super) columns: Vec<(i64, i64)>,
     pub(super) value: f64,
+    /// Whether the path ends here: else its end is the start of the next one, or its own translate.
+    pub(super) ends: bool,
+}
+
+/// Where a path begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Begin {
+    /// In a cell that the path before counts.
+    After(usize, i64),
+    /// In a cell, which counts.
+    At(usize, i64),
+    /// In any cell of the first row or column.
+    Anywhere,
+}
+
+/// Where a path ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Finish {
+    /// In a cell.
+    At(usize, i64),
+    /// In any cell of the last row or column.
+    Anywhere,
 }
 
 impl Path {
-    /// Cells of the path in order, with the start, without the end.
+    /// Cells of the path in order, with the start, without an end that is the start of the next one.
     pub(super) fn cells(&self) -> impl Iterator<Item = (usize, i64)> + '_ {
         let last = self.columns.len() - 1;
         self.columns.iter().enumerate().flat_map(move |(k, &(first, end))| {
-            let end = if k == last { end - 1 } else { end };
+            let end = if k == last && !self.ends { end - 1 } else { end };
             (first..=end).map(move |column| (self.row + k, column))
         })
     }
@@ -71,6 +93,7 @@ pub(super) struct Bounds {
 const DIAGONAL: u8 = 0;
 const ALONG_FIRST: u8 = 1;
 const ALONG_SECOND: u8 = 2;
+const START: u8 = 3;
 
 /// Finds best paths; keeps its memory from one to the next.
 #[derive(Debug, Clone, Default)]
@@ -87,8 +110,8 @@ pub(super) struct PathFinder {
 }
 
 impl PathFinder {
-    /// Returns the best path from one cell to another, or `None` when there is none. The value of the start is not counted,
-    /// that of the end is.
+    /// Returns the best path from one cell to another, or `None` when there is none. The value of the end is counted, that of the
+    /// start as [`Begin`] says.
     ///
     /// Of paths of equal value the one with the later steps (1, 1) wins. Time and memory are a multiple of the cells between the
     /// ends and the bounds.
@@ -96,10 +119,20 @@ impl PathFinder {
         &mut self,
         lattice: &Lattice,
         rule: Rule,
-        from: (usize, i64),
-        to: (usize, i64),
+        begin: Begin,
+        finish: Finish,
         bounds: &Bounds,
     ) -> Option<Path> {
+        let (a, b) = lattice.counts();
+        let (from, is_free) = match begin {
+            Begin::After(row, column) | Begin::At(row, column) => ((row, column), false),
+            Begin::Anywhere => ((0, 0), true),
+        };
+        let to = match finish {
+            Finish::At(row, column) => (row, column),
+            Finish::Anywhere => (a - 1, b as i64 - 1),
+        };
+        let mut end: Option<(f64, usize, i64)> = None;
         self.steps.clear();
         self.rows.clear();
         self.best.clear();
@@ -118,27 +151,43 @@ impl PathFinder {
                 high = high.min(upper.columns[k].1);
             }
             if low > high {
-                return None;
+                if !is_free {
+                    return None;
+                }
+                high = low - 1;
             }
             self.take_over(low, high);
             self.rows.push((low, self.steps.len()));
             let is_first = k == 0;
-            if is_first && low > from.1 {
+            if is_first && !is_free && low > from.1 {
                 return None;
             }
             let alive = match rule {
+                _ if low > high => true,
                 Rule::Cover { cells, steps, price } => {
-                    self.cover(lattice, row, (low, high), is_first, (cells, steps, price))
+                    let start = (is_first || is_free).then_some(begin);
+                    self.cover(lattice, row, (low, high), start, (cells, steps, price))
                 }
                 Rule::Single => self.single(lattice, row, (low, high), is_first),
             };
-            if !alive {
+            if !alive && !is_free {
                 return None;
             }
+            if finish == Finish::Anywhere {
+                let is_end = |column: i64| row == to.0 || column == to.1;
+                for (column, &value) in (low..).zip(&self.best).filter(|(column, _)| is_end(*column)) {
+                    if value != ABSENT && end.is_none_or(|(best, ..)| value > best) {
+                        end = Some((value, row, column));
+                    }
+                }
+            }
         }
-        let &(low, _) = self.rows.last()?;
-        let value = usize::try_from(to.1 - low).ok().and_then(|k| self.best.get(k)).copied()?;
-        (value != ABSENT).then(|| self.trace(from, to, value))
+        if let Finish::At(row, column) = finish {
+            let &(low, _) = self.rows.last()?;
+            let value = usize::try_from(column - low).ok().and_then(|k| self.best.get(k)).copied()?;
+            end = (value != ABSENT).then_some((value, row, column));
+        }
+        end.map(|(value, row, column)| self.trace(from.0, (row, column), value))
     }
 
     /// Lays the row above over the columns from one before `low` to `high`.
@@ -162,7 +211,7 @@ impl PathFinder {
         lattice: &Lattice,
         row: usize,
         (low, high): (i64, i64),
-        is_first: bool,
+        begin: Option<Begin>,
         (cells, steps, price): (f64, f64, f64),
     ) -> bool {
         let line = lattice.row(row);
@@ -187,8 +236,14 @@ impl PathFinder {
                         (best, step) = (sum, by);
                     }
                 }
-                if is_first && k == 0 {
-                    best = 0.0;
+                let start = match begin {
+                    Some(Begin::After(..)) if k == 0 => 0.0,
+                    Some(Begin::At(..)) if k == 0 => gain,
+                    Some(Begin::Anywhere) if row == 0 || low + k as i64 == 0 => gain,
+                    _ => ABSENT,
+                };
+                if start > best {
+                    (best, step) = (start, START);
                 }
             }
             alive |= best != ABSENT;
@@ -214,7 +269,7 @@ impl PathFinder {
                 (best, step) = (sum, DIAGONAL);
             }
             if is_first && k == 0 {
-                best = 0.0;
+                (best, step) = (0.0, START);
             }
             left = best;
             self.best.push(best);
@@ -224,13 +279,14 @@ impl PathFinder {
         true
     }
 
-    /// Follows the steps back from the end.
-    fn trace(&self, from: (usize, i64), to: (usize, i64), value: f64) -> Path {
-        let mut columns = vec![(to.1, to.1); to.0 - from.0 + 1];
+    /// Follows the steps back from the end to the start; `first_row` is the first one looked at.
+    fn trace(&self, first_row: usize, to: (usize, i64), value: f64) -> Path {
+        let mut columns = vec![(to.1, to.1); to.0 - first_row + 1];
         let (mut k, mut column) = (columns.len() - 1, to.1);
-        while k > 0 || column > from.1 {
+        loop {
             let (first, start) = self.rows[k];
             match self.steps[start + (column - first) as usize] {
+                START => break,
                 ALONG_SECOND => column -= 1,
                 step => {
                     columns[k].0 = column;
@@ -241,7 +297,8 @@ impl PathFinder {
                 }
             }
         }
-        columns[0].0 = from.1;
-        Path { row: from.0, columns, value }
+        columns[k].0 = column;
+        columns.drain(..k);
+        Path { row: first_row + k, columns, value, ends: false }
     }
 }

@@ -30,19 +30,28 @@ const SAME: f64 = 1e-10;
 impl Placing {
     /// A job that has not begun, on the curves of a problem whose outlines start where the curves do.
     ///
-    /// `places` are the ends in shares of arc length on both curves, in cyclic order, strictly ascending on both and within a lap.
+    /// `places` are the ends in shares of arc length on both curves, in cyclic order, strictly ascending on both and within a lap; on open
+    /// curves in order from end to end.
     #[must_use]
     pub fn new(curves: &[ClosedBSpline; 2], problem: &Problem, places: &[[f64; 2]]) -> Self {
         let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
         let mut places = places.to_vec();
         // The first end on the first curve comes first of all in the domain.
-        let lap = places.first().map_or(0.0, |place| place[0].floor());
-        places.iter_mut().for_each(|place| *place = place.map(|share| share - lap));
-        let beyond = places.iter().filter(|place| place[0] >= 1.0).count();
-        places.rotate_right(beyond);
-        places[..beyond].iter_mut().for_each(|place| *place = place.map(|share| share - 1.0));
+        let closed = problem.ends().is_none();
+        if closed {
+            let lap = places.first().map_or(0.0, |place| place[0].floor());
+            places.iter_mut().for_each(|place| *place = place.map(|share| share - lap));
+            let beyond = places.iter().filter(|place| place[0] >= 1.0).count();
+            places.rotate_right(beyond);
+            places[..beyond].iter_mut().for_each(|place| *place = place.map(|share| share - 1.0));
+        } else {
+            // Rounding must not lead beyond an end.
+            let inside = |share: f64| if share > 1.0 - SAME { 1.0 } else { share.max(0.0) };
+            places.iter_mut().for_each(|place| *place = place.map(inside));
+        }
         let refined = [0, 1].map(|axis| {
-            let shares: Vec<f64> = places.iter().map(|place| place[axis].rem_euclid(1.0)).collect();
+            let wrapped = |share: f64| if closed { share.rem_euclid(1.0) } else { share };
+            let shares: Vec<f64> = places.iter().map(|place| wrapped(place[axis])).collect();
             with_ends(&problem.outlines()[axis], &curves[axis], &arc_lengths[axis], &shares)
         });
         let [(first, from), (second, to)] = refined;
@@ -207,7 +216,7 @@ fn with_ends(
             places.push(share);
             last_is_old = true;
         } else if !repeats {
-            if 1.0 - share < SAME {
+            if outline.closed && 1.0 - share < SAME {
                 // The seam.
                 numbers[end.unwrap_or(0)] = 0;
                 continue;
@@ -222,9 +231,10 @@ fn with_ends(
             numbers[k] = points.len() - 1;
         }
     }
-    let next = places.iter().copied().skip(1).chain([1.0]);
+    let end = if outline.closed { 1.0 } else { places.last().copied().unwrap_or(1.0) };
+    let next = places.iter().copied().skip(1).chain([end]);
     let shares = places.iter().zip(next).map(|(place, next)| next - place).collect();
-    (Outline { points, normals, shares }, numbers)
+    (Outline { points, normals, shares, closed: outline.closed }, numbers)
 }
 
 /// A point of a curve at a share of arc length, as the end of a line.

@@ -1,7 +1,9 @@
 //! Two outlines made ready for matching.
 
+use super::measure::cross;
 use super::value::End;
-use super::{NegativeProducts, Outline, Weights, blocking_edge, round_to_40_bits};
+use super::visibility::Wedge;
+use super::{NegativeProducts, Outline, RulingLine, Weights, blocking_edge, round_to_40_bits};
 use crate::geom::{
     Bounds, Location, ShownPlace, deepest_point, first_contact, first_self_contact, locate, segment_crossing,
     signed_area,
@@ -10,7 +12,7 @@ use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Which polygon lies inside the other.
+/// How two outlines lie to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Layout {
     /// The first curve is the inner one.
@@ -19,6 +21,24 @@ pub enum Layout {
     SecondInside,
     /// The curves lie at different heights and their projections cross.
     Crossing,
+    /// Two open curves bound a region together with the lines that join their starts and their ends; all lines keep inside it.
+    Strip {
+        /// Whether the second curve lies to the left of the first, else to the right.
+        left: bool,
+    },
+    /// Two open curves without such a region: their ends are free, or one of the two lines is in the way of the other or meets a
+    /// curve, or the projections cross. Each line leaves one curve to the left and reaches the other from the right.
+    Loose,
+}
+
+/// What becomes of the ends of two open curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Ends {
+    /// The first vertices are joined, and the last ones.
+    #[default]
+    Tied,
+    /// The first line starts at the first vertex of either outline, the last one at the last of either; what lies beyond them is left out.
+    Free,
 }
 
 /// Why two outlines cannot be matched at all.
@@ -62,10 +82,10 @@ impl fmt::Display for ProblemError {
 
 impl std::error::Error for ProblemError {}
 
-/// Two outlines, one inside the other, with the weights of their ruling lines.
+/// Two outlines with the weights of their ruling lines: one inside the other, or both open.
 ///
-/// Guarantees: both polygons are simple and counter-clockwise. They do not meet and one lies inside the other, or, at different
-/// heights, they meet and have a common inside.
+/// Guarantees: closed polygons are simple and counter-clockwise. They do not meet and one lies inside the other, or, at different
+/// heights, they meet and have a common inside. Open polylines are simple, and at equal heights they do not meet.
 #[derive(Debug, Clone)]
 pub struct Problem {
     outlines: [Outline; 2],
@@ -75,6 +95,8 @@ pub struct Problem {
     shortest: f64,
     center: DVec2,
     angles: [Vec<f64>; 2],
+    /// Of open outlines.
+    ends: Option<Ends>,
 }
 
 /// Lengths below this multiple of the diagonal count as this: keeps the values of touching points finite.
@@ -90,13 +112,43 @@ impl Problem {
         Self::about(None, outlines, weights, gap)
     }
 
+    /// Checks two open outlines and prepares them; both run in the direction in which they are matched.
+    ///
+    /// # Errors
+    /// When a polyline is not simple, or when the two meet although `gap` is 0.
+    pub fn open(
+        outlines: [Outline; 2],
+        weights: Weights,
+        gap: f64,
+        ends: Ends,
+    ) -> Result<Self, ProblemError> {
+        let [first, second] = outlines.each_ref().map(|outline| outline.points.as_slice());
+        check_simple(&outlines)?;
+        let contact = first_contact(first, second, false);
+        if let Some((i, k)) = contact
+            && gap == 0.0
+        {
+            return Err(ProblemError::Meet { at: meeting_place(first, i, second, k) });
+        }
+        let shortest = shortest(first, second);
+        let layout = match ends {
+            Ends::Tied if contact.is_none() => strip(&outlines),
+            Ends::Tied | Ends::Free => Layout::Loose,
+        };
+        let (center, angles) = (DVec2::ZERO, [Vec::new(), Vec::new()]);
+        Ok(Self { outlines, weights, gap, layout, shortest, center, angles, ends: Some(ends) })
+    }
+
     /// The same curves with other samples; lifts about the same centre, so that vertices at the same place keep their laps when
     /// both outlines start where they did.
     ///
     /// # Errors
     /// As [`new`](Self::new).
     pub(super) fn resampled(&self, outlines: [Outline; 2]) -> Result<Self, ProblemError> {
-        Self::about(Some(self.center), outlines, self.weights, self.gap)
+        match self.ends {
+            Some(ends) => Self::open(outlines, self.weights, self.gap, ends),
+            None => Self::about(Some(self.center), outlines, self.weights, self.gap),
+        }
     }
 
     fn about(
@@ -105,16 +157,14 @@ impl Problem {
         weights: Weights,
         gap: f64,
     ) -> Result<Self, ProblemError> {
+        check_simple(&outlines)?;
         for (outline, Outline { points, .. }) in outlines.iter().enumerate() {
-            if let Some((i, k)) = first_self_contact(points) {
-                return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
-            }
             if signed_area(points) <= 0.0 {
                 return Err(ProblemError::NotCounterClockwise { outline });
             }
         }
         let (first, second) = (&outlines[0].points, &outlines[1].points);
-        let contact = first_contact(first, second)
+        let contact = first_contact(first, second, true)
             .map(|(i, k)| ProblemError::Meet { at: meeting_place(first, i, second, k) });
         let layout = match contact {
             Some(meet) if gap == 0.0 => return Err(meet),
@@ -128,7 +178,7 @@ impl Problem {
         let polygons: &[&[DVec2]] = match layout {
             Layout::FirstInside => &both[..1],
             Layout::SecondInside => &both[1..],
-            Layout::Crossing => &both,
+            Layout::Crossing | Layout::Strip { .. } | Layout::Loose => &both,
         };
         let is_inside = |center: &DVec2| polygons.iter().all(|p| locate(p, *center) == Location::Inside);
         let center = center
@@ -136,14 +186,16 @@ impl Problem {
             .or_else(|| deepest_point(polygons))
             .ok_or_else(|| contact.unwrap_or(ProblemError::Apart))?;
         let angles = outlines.each_ref().map(|outline| angles_about(center, &outline.points));
-        let bounds = Bounds::of(first.iter().chain(second).copied());
-        let diagonal = bounds.map_or(0.0, Bounds::diagonal);
-        Ok(Self { outlines, weights, gap, layout, shortest: SHORTEST * diagonal, center, angles })
+        let shortest = shortest(first, second);
+        Ok(Self { outlines, weights, gap, layout, shortest, center, angles, ends: None })
     }
 
     /// The same problem on other polygons of the same curves, which are not checked.
     pub(super) fn refined(&self, outlines: [Outline; 2]) -> Self {
-        let angles = outlines.each_ref().map(|outline| angles_about(self.center, &outline.points));
+        let about = |outline: &Outline| {
+            if outline.closed { angles_about(self.center, &outline.points) } else { Vec::new() }
+        };
+        let angles = outlines.each_ref().map(about);
         Self { outlines, angles, ..*self }
     }
 
@@ -171,10 +223,23 @@ impl Problem {
         self.gap
     }
 
-    /// Which outline lies inside the other.
+    /// How the outlines lie to each other.
     #[must_use]
     pub fn layout(&self) -> Layout {
         self.layout
+    }
+
+    /// What becomes of the ends of open outlines; `None` when they are closed.
+    #[must_use]
+    pub fn ends(&self) -> Option<Ends> {
+        self.ends
+    }
+
+    /// The lines that join the first and the last vertices where they have to be joined.
+    #[must_use]
+    pub fn tied(&self) -> Option<[(usize, usize); 2]> {
+        let (a, b) = self.counts();
+        (self.ends == Some(Ends::Tied)).then_some([(0, 0), (a - 1, b - 1)])
     }
 
     /// Value f of the line from vertex `from` of the first outline to vertex `to` of the second.
@@ -188,18 +253,40 @@ impl Problem {
         self.weights.value(p, q, self.gap, self.shortest)
     }
 
-    /// Tells whether a line keeps the constraints, by looking at every edge: it meets no edge but those at its ends, and where
-    /// the projections cross, its middle lies inside exactly one polygon.
+    /// Tells whether a line keeps the constraints, by looking at every edge: it meets no edge but those at its ends; where
+    /// the projections of closed curves cross, its middle lies inside exactly one polygon; and between open curves it keeps to
+    /// their region, or to a left and a right side, as the [`Layout`] says.
     #[must_use]
     pub fn is_visible(&self, from: usize, to: usize) -> bool {
         let [first, second] = self.outlines.each_ref().map(|outline| outline.points.as_slice());
-        let middle = (first[from] + second[to]) / 2.0;
-        blocking_edge(&self.outlines, from, to).is_none()
-            && (self.layout != Layout::Crossing
-                || matches!(
-                    [locate(first, middle), locate(second, middle)],
-                    [Location::Inside, Location::Outside] | [Location::Outside, Location::Inside]
-                ))
+        let (p, q) = (first[from], second[to]);
+        let middle = (p + q) / 2.0;
+        let keeps_inside = || match self.layout {
+            Layout::FirstInside | Layout::SecondInside => true,
+            Layout::Crossing => matches!(
+                [locate(first, middle), locate(second, middle)],
+                [Location::Inside, Location::Outside] | [Location::Outside, Location::Inside]
+            ),
+            Layout::Strip { .. } => {
+                self.tied().is_some_and(|ends| ends.contains(&(from, to)))
+                    || self.clears_ends(from, to)
+                        && locate(&region(first, second), middle) == Location::Inside
+            }
+            Layout::Loose => {
+                let [at_p, at_q] = [(0, from), (1, to)].map(|(k, i)| Wedge::new(&self.outlines[k], i));
+                at_p.points_inside(q) && at_q.points_outside(p)
+                    || at_p.points_outside(q) && at_q.points_inside(p)
+            }
+        };
+        blocking_edge(&self.outlines, from, to).is_none() && keeps_inside()
+    }
+
+    /// Tells whether a line keeps clear of the lines that join the ends of open outlines.
+    pub(super) fn clears_ends(&self, from: usize, to: usize) -> bool {
+        let line = |(from, to): (usize, usize)| RulingLine { from, to, lifted: 0, value: 0.0 };
+        let crossed =
+            |end: (usize, usize)| end != (from, to) && cross(&self.outlines, &line(end), &line((from, to)));
+        self.tied().is_none_or(|ends| !ends.into_iter().any(crossed))
     }
 
     /// Product of the outward unit normals at the ends of a line, from -1 to 1.
@@ -249,9 +336,12 @@ impl Problem {
     /// Lift of a line that stays between the polygons: the vertex of the second outline counted on through its laps, such
     /// that lines do not cross if and only if their lifts ascend together round the band.
     ///
-    /// Both ends have an angle about a point inside the inner polygon, unwrapped along their outline. The line subtends less
+    /// On open curves there are no laps. On closed ones both ends have an angle about a point inside the inner polygon, unwrapped along their outline. The line subtends less
     /// than half a turn there, so the number of whole turns between the two angles is an integer that rounding finds.
     pub(super) fn lift(&self, from: usize, to: usize) -> i64 {
+        if self.ends.is_some() {
+            return to as i64;
+        }
         let laps = ((self.angles[0][from] - self.angles[1][to]) / TAU).round();
         to as i64 + self.counts().1 as i64 * laps as i64
     }
@@ -261,6 +351,38 @@ impl Problem {
         let outline = &self.outlines[outline];
         End { point: outline.points[vertex], normal: outline.normals[vertex] }
     }
+}
+
+fn check_simple(outlines: &[Outline; 2]) -> Result<(), ProblemError> {
+    for (outline, Outline { points, closed, .. }) in outlines.iter().enumerate() {
+        if let Some((i, k)) = first_self_contact(points, *closed) {
+            return Err(ProblemError::NotSimple { outline, at: meeting_place(points, i, points, k) });
+        }
+    }
+    Ok(())
+}
+
+/// The least length that counts.
+fn shortest(first: &[DVec2], second: &[DVec2]) -> f64 {
+    SHORTEST * Bounds::of(first.iter().chain(second).copied()).map_or(0.0, Bounds::diagonal)
+}
+
+/// The polygon along one polyline, and back along another one.
+fn region(first: &[DVec2], second: &[DVec2]) -> Vec<DVec2> {
+    first.iter().chain(second.iter().rev()).copied().collect()
+}
+
+/// Finds the region between simple open outlines that do not meet, if there is one: then neither of the lines between their ends meets
+/// an outline or the other line.
+fn strip(outlines: &[Outline; 2]) -> Layout {
+    let [first, second] = outlines.each_ref().map(|outline| outline.points.as_slice());
+    let ends = [(0, 0), (first.len() - 1, second.len() - 1)];
+    let line = |(from, to): (usize, usize)| RulingLine { from, to, lifted: 0, value: 0.0 };
+    let is_clear = ends.into_iter().all(|(from, to)| blocking_edge(outlines, from, to).is_none());
+    if !is_clear || cross(outlines, &line(ends[0]), &line(ends[1])) {
+        return Layout::Loose;
+    }
+    Layout::Strip { left: signed_area(&region(first, second)) > 0.0 }
 }
 
 fn meeting_place(first: &[DVec2], i: usize, second: &[DVec2], k: usize) -> DVec2 {

@@ -9,7 +9,7 @@ use crate::curve::{ArcLength, ClosedBSpline};
 /// Ends of lines that are looked at all round a curve for a better partner; between many lines some are skipped at first.
 const CANDIDATES: usize = 128;
 
-/// The integral J of lines in cyclic order, and an upper bound of it, as a job that advances gap by gap.
+/// The integral J of lines in cyclic order, or along open curves from the first to the last, and an upper bound of it, as a job that advances gap by gap.
 ///
 /// Between neighbouring lines the correspondence is linear in arc length, and cut into parts, at corners if there are some. J is the sum of the values between corresponding
 /// midpoints, each weighed with its share of both curves. The bound gives every midpoint its best partner instead: among
@@ -27,6 +27,8 @@ pub(super) struct Quadrature {
     /// Whether the start of one line sees the end of another, as far as it was asked.
     seen: Vec<Option<bool>>,
     gap: usize,
+    /// Ways from one line to the next: as many as lines round closed curves, one less along open ones.
+    gaps: usize,
     integral: f64,
     bound: f64,
 }
@@ -42,6 +44,7 @@ impl Quadrature {
             widths: Vec::with_capacity(lines.len() * PARTS),
             parts: None,
             gap: 0,
+            gaps: if problem.ends().is_some() { lines.len().saturating_sub(1) } else { lines.len() },
             integral: 0.0,
             bound: 0.0,
         }
@@ -54,7 +57,10 @@ impl Quadrature {
         curves: &[ClosedBSpline; 2],
         arc_lengths: &[ArcLength; 2],
     ) -> f64 {
-        let count = self.lines.len();
+        let count = self.gaps;
+        if count == 0 {
+            return 1.0;
+        }
         if self.gap < count {
             let starts = [0, 1].map(|axis| self.arcs[axis][self.gap]);
             let spans = [0, 1].map(|axis| self.span(axis, self.gap, arc_lengths));
@@ -129,7 +135,7 @@ impl Quadrature {
             }
         }
         let before = (at + count - 1) % count;
-        for beside in [before, at] {
+        for beside in [before, at].into_iter().filter(|&gap| gap < self.gaps) {
             let middles = &self.middles[1 - axis][beside * PARTS..(beside + 1) * PARTS];
             best = middles.iter().fold(best, |best, &other| best.max(value(other)));
         }

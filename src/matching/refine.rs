@@ -1,13 +1,15 @@
 //! The optimum of J on the curves themselves.
 
 use super::even::spread_evenly;
+use super::even_open::spread_between;
 use super::exact::Objective;
 use super::lattice::Survey;
 use super::path::{Path, PathFinder, lines_of};
 use super::place::{end_at, places_of};
+use super::refine_open::RefineOpen;
 use super::rounds::Rounds;
 use super::spacing::{Spacing, corner_shares};
-use super::{Problem, RulingLine, Weights};
+use super::{Ends, Problem, RulingLine, Weights};
 use crate::curve::ClosedBSpline;
 
 /// Samples of each curve at the first level, without those of corners: fine enough that the best path runs where the optimum on the curves does.
@@ -70,14 +72,18 @@ pub fn even_places(
         let off = |corner: &f64| ((share - corner + 0.5).rem_euclid(1.0) - 0.5).abs();
         corners[axis].iter().any(|corner| off(corner) <= BESIDE * fineness)
     };
-    spread_evenly(places, count, &corners, |place| {
+    let improve = |place: [f64; 2]| {
         if is_beside(0, place[0]) || is_beside(1, place[1]) {
             return 0.0;
         }
         let (before, here, after) = (value(place, -fineness), value(place, 0.0), value(place, fineness));
         let top = fineness * (before - after) / (2.0 * (before - 2.0 * here + after));
         if top.abs() <= 2.0 * fineness && value(place, top) > here { top } else { 0.0 }
-    })
+    };
+    if problem.ends().is_some() {
+        return spread_between(places, count, improve);
+    }
+    spread_evenly(places, count, &corners, improve)
 }
 
 /// Finds the matching of greatest J on the curves themselves, as a job that advances in steps.
@@ -92,6 +98,8 @@ pub struct Refine {
     spacings: [Spacing; 2],
     weights: Weights,
     gap: f64,
+    /// What finds the optimum between open curves.
+    open: Option<Box<RefineOpen>>,
     finder: PathFinder,
     level: Option<Level>,
     last: Option<Last>,
@@ -119,12 +127,22 @@ impl Refine {
     #[must_use]
     pub fn new(curves: [ClosedBSpline; 2], weights: Weights, gap: f64) -> Self {
         let (spacings, finder) = (curves.each_ref().map(Spacing::new), PathFinder::default());
-        Self { spacings, weights, gap, finder, level: None, last: None }
+        Self { spacings, weights, gap, open: None, finder, level: None, last: None }
+    }
+
+    /// A job that has not begun, for two open curves that run in the direction in which they are matched.
+    #[must_use]
+    pub fn open(curves: [ClosedBSpline; 2], weights: Weights, gap: f64, ends: Ends) -> Self {
+        let open = RefineOpen::new(curves.clone(), weights, gap, ends);
+        Self { open: Some(Box::new(open)), ..Self::new(curves, weights, gap) }
     }
 
     /// Advances while `may_go_on` says so, at least by a little. Returns the optimum when it is found, or an inner `None` when
     /// samples of the curves cannot be matched.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Option<Refined>> {
+        if let Some(open) = &mut self.open {
+            return open.step(may_go_on);
+        }
         loop {
             let Some(level) = &mut self.level else {
                 match self.next_level(HALF_WIDTH) {
@@ -205,7 +223,7 @@ impl Refine {
 }
 
 /// Tells whether a correspondence joins a point of a curve with a whole arc of the other one.
-fn has_fans(problem: &Problem, lines: &[RulingLine], places: &[[f64; 2]]) -> bool {
+pub(super) fn has_fans(problem: &Problem, lines: &[RulingLine], places: &[[f64; 2]]) -> bool {
     let vertex = |axis: usize, k: usize| if axis == 0 { lines[k].from } else { lines[k].to };
     [0, 1].into_iter().any(|axis| {
         let shares = &problem.outlines()[axis].shares;

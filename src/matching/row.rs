@@ -40,7 +40,8 @@ impl Wedges {
     }
 
     /// Tells whether a line leaves one of its ends away from the band: it then meets a polygon farther on. Where
-    /// the projections cross, a line that meets no edge stays inside exactly one polygon if it starts so at both ends.
+    /// the projections cross, a line that meets no edge stays inside exactly one polygon if it starts so at both ends. Between open
+    /// curves a line that starts into their region and meets none of its borders stays inside it.
     fn leave_band(&self, problem: &Problem, from: usize, to: usize) -> bool {
         let ends = [problem.outlines()[0].points[from], problem.outlines()[1].points[to]];
         let wedges = [&self.0[0][from], &self.0[1][to]];
@@ -53,7 +54,15 @@ impl Wedges {
         match problem.layout() {
             Layout::FirstInside => leaves(0),
             Layout::SecondInside => leaves(1),
-            Layout::Crossing => !stays(0) && !stays(1),
+            Layout::Crossing | Layout::Loose => !stays(0) && !stays(1),
+            Layout::Strip { left } => {
+                let is_end = |vertex: usize, count: usize| vertex == 0 || vertex + 1 == count;
+                let (a, b) = problem.counts();
+                if is_end(from, a) && is_end(to, b) {
+                    return !problem.is_visible(from, to);
+                }
+                !stays(usize::from(left)) || !problem.clears_ends(from, to)
+            }
         }
     }
 }

@@ -1,13 +1,13 @@
 //! The best matching of at most one line a vertex.
 
-use super::lattice::Survey;
+use super::lattice::{ABSENT, Survey};
 use super::path::{PathFinder, Rule, lines_of};
 use super::place::shares_of;
 use super::rounds::Rounds;
 use super::{Problem, RulingLine};
 
 /// The papers' dynamic programme (Eq. 14) as a job: the greatest sum of f over visible lines that do not cross, at most one a
-/// vertex, started from wherever is best.
+/// vertex, started from wherever is best; between open outlines whose ends are tied the first vertices are joined, and the last ones.
 ///
 /// Printed, the recursion has the same arguments on both sides and no start; taken as meant it is the heaviest chain of lines whose
 /// ends ascend strictly round the band, found here over all starts by Maes' divide and conquer. Lines of negative value are left
@@ -76,13 +76,20 @@ impl OnePerVertex {
             }
         }
         let path = rounds.best()?;
-        let lines = lines_of(lattice, path.diagonals());
+        let mut lines = lines_of(lattice, path.diagonals());
+        if let Some(tied) = self.problem.tied() {
+            let line = |(from, to): (usize, usize)| lattice.line(from, to as i64);
+            let [first, last] = tied.map(line).map(|line| (line.value != ABSENT).then_some(line));
+            lines.splice(0..0, first);
+            lines.extend(last);
+        }
         Some(SingleLines { lines, best: lattice.best() })
     }
 }
 
 /// Gives every vertex a line: those that [`OnePerVertex`] left out are joined to the place that lies, in arc length, in the same proportion
-/// between the ends of the lines before and after. Returns the ends of all lines in shares of arc length, strictly ascending.
+/// between the ends of the lines before and after; beyond the first and the last line between open outlines there are none. Returns the
+/// ends of all lines in shares of arc length, strictly ascending.
 ///
 /// The paper says only that points without a line get one; nothing keeps these lines clear of the curves, so they must be verified.
 #[must_use]
@@ -94,8 +101,23 @@ pub fn fill_in(problem: &Problem, lines: &[RulingLine]) -> Vec<[f64; 2]> {
         shares[lifted.rem_euclid(n) as usize] + lifted.div_euclid(n) as f64
     };
     let mut places = Vec::with_capacity(a + b);
+    let mut lines = lines.to_vec();
+    if let Some(tied) = problem.tied() {
+        // Ends that do not see each other are joined all the same, and found out.
+        let line = |(from, to): (usize, usize)| RulingLine { from, to, lifted: to as i64, value: 0.0 };
+        if lines.first().is_none_or(|first| first.from > 0) {
+            lines.insert(0, line(tied[0]));
+        }
+        if lines.last().is_none_or(|last| last.from + 1 < a) {
+            lines.push(line(tied[1]));
+        }
+    }
     for (k, line) in lines.iter().enumerate() {
         let lap = i64::from(k + 1 == lines.len());
+        if lap == 1 && problem.ends().is_some() {
+            places.push([share(&first, line.from as i64), share(&second, line.lifted)]);
+            break;
+        }
         let next = &lines[(k + 1) % lines.len()];
         let ends = (line.from as i64 + 1, next.from as i64 + lap * a as i64);
         let lifted = (line.lifted + 1, next.lifted + lap * b as i64);

@@ -66,6 +66,7 @@ impl Spacing {
             points: places.iter().map(|place| end(place.0).point).collect(),
             normals: places.iter().map(|place| end(place.1).normal).collect(),
             shares: places.iter().zip(next).map(|(place, next)| next - place.0).collect(),
+            closed: true,
         }
     }
 
@@ -87,7 +88,7 @@ impl Spacing {
             }
             shares.extend(std::iter::repeat_n(edge / parts as f64, parts));
         }
-        (Outline { points, normals, shares }, numbers)
+        (Outline { points, normals, shares, closed: true }, numbers)
     }
 
     /// Share of arc length at a measure.

@@ -29,7 +29,8 @@ fn shortest_of_rows(lattice: &Lattice) -> Stretch {
     let (a, _) = lattice.counts();
     let mut shortest = Stretch { outline: 0, first: 0, count: a };
     let (mut above_first, mut above): (i64, Vec<usize>) = (0, Vec::new());
-    for row in 0..LAPS * a {
+    let laps = if lattice.ends().is_some() { 1 } else { LAPS };
+    for row in 0..laps * a {
         let cells = lattice.row(row);
         let mut earliest = vec![usize::MAX; cells.values.len()];
         for (k, column) in (cells.first..).enumerate().take(earliest.len()) {
@@ -58,7 +59,7 @@ mod tests {
 
     /// A lattice of 6 by 6 equal vertices with lines in a band about the diagonal, less those of some cells.
     fn banded(missing: impl Fn(usize, i64) -> bool) -> Lattice {
-        let mut lattice = Lattice::new([vec![1.0 / 6.0; 6], vec![1.0 / 6.0; 6]]);
+        let mut lattice = Lattice::new([vec![1.0 / 6.0; 6], vec![1.0 / 6.0; 6]], None);
         for row in 0..6 {
             let columns = (row as i64 - 1..=row as i64 + 1).filter(|&column| !missing(row, column));
             let cells: Vec<_> = columns.map(|column| (column, 1.0)).collect();

@@ -63,7 +63,11 @@ pub fn trace(problem: &Problem, growth: &[RulingLine]) -> Trace {
         (0..a).flat_map(|from| ranked_lines(problem, &wedges, &mut sight, from, 0..b)).collect();
     candidates.sort_unstable_by(Candidate::compare);
     candidates.reverse();
-    let (mut rejected, mut step) = (Vec::new(), 0);
+    // The lines between tied ends were not chosen.
+    let tied = problem.tied().unwrap_or([(usize::MAX, usize::MAX); 2]);
+    let is_tied = |line: &RulingLine| tied.contains(&(line.from, line.to));
+    candidates.retain(|candidate| !is_tied(&candidate.line));
+    let (mut rejected, mut step) = (Vec::new(), growth.iter().take_while(|line| is_tied(line)).count());
     for Candidate { line, .. } in &candidates {
         if step == growth.len() {
             break;
@@ -92,7 +96,7 @@ pub fn vertex_sets(problem: &Problem, growth: &[RulingLine], outline: usize, ver
         _ => (line.to, line.from as i64 - line.lifted.div_euclid(b as i64) * a as i64),
     };
     let [own, other] = if outline == 0 { [a, b] } else { [b, a] };
-    let mut chain = Chain::new(own, other);
+    let mut chain = if problem.ends().is_some() { Chain::open(own, other) } else { Chain::new(own, other) };
     for line in growth {
         let (at, lifted) = lifted(line);
         chain.insert(at, lifted);

@@ -69,13 +69,14 @@ impl Sight {
     }
 }
 
-/// The wedge of a polygon's inside at one vertex.
+/// The wedge of a polygon's inside at one vertex; of an open polyline, of what lies to its left. Its ends have all directions on either side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wedge {
     before: DVec2,
     at: DVec2,
     after: DVec2,
     convex: bool,
+    is_end: bool,
 }
 
 impl Wedge {
@@ -83,17 +84,20 @@ impl Wedge {
         let n = outline.len();
         let point = |i: usize| outline.points[i % n];
         let (before, at, after) = (point(vertex + n - 1), point(vertex), point(vertex + 1));
-        Self { before, at, after, convex: orient2d(before, at, after) >= 0.0 }
+        let is_end = !outline.closed && (vertex == 0 || vertex + 1 == n);
+        Self { before, at, after, convex: orient2d(before, at, after) >= 0.0, is_end }
     }
 
     /// Tells whether the ray from the vertex through `point` starts strictly inside the polygon.
     pub(super) fn points_inside(&self, point: DVec2) -> bool {
-        self.both(|edge_start, edge_end| orient2d(edge_start, edge_end, point) > 0.0, self.convex)
+        self.is_end
+            || self.both(|edge_start, edge_end| orient2d(edge_start, edge_end, point) > 0.0, self.convex)
     }
 
     /// Tells whether the ray from the vertex through `point` starts strictly outside the polygon.
     pub(super) fn points_outside(&self, point: DVec2) -> bool {
-        self.both(|edge_start, edge_end| orient2d(edge_start, edge_end, point) < 0.0, !self.convex)
+        self.is_end
+            || self.both(|edge_start, edge_end| orient2d(edge_start, edge_end, point) < 0.0, !self.convex)
     }
 
     fn both(&self, holds: impl Fn(DVec2, DVec2) -> bool, and: bool) -> bool {

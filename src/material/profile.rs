@@ -1,19 +1,20 @@
-//! Composition along a closed curve.
+//! Composition along a curve.
 
 use std::error::Error;
 use std::fmt;
 
 use super::Composition;
 
-/// Composition along a closed curve: linear between keys, cyclic past the last one.
+/// Composition along a curve: linear between keys; past the last one cyclic on a closed curve, and constant on an open one.
 ///
 /// # Guarantees
 /// - There is at least one key.
-/// - The places are in [0, 1) and strictly ascending.
+/// - The places are in [0, 1), on an open curve in [0, 1], and strictly ascending.
 /// - All compositions have the same number of materials.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     keys: Vec<(f64, Composition)>,
+    closed: bool,
 }
 
 /// Why keys are not a profile.
@@ -21,12 +22,14 @@ pub struct Profile {
 pub enum ProfileError {
     /// No key was given.
     Empty,
-    /// A place is outside [0, 1) or not a number.
+    /// A place is outside [0, 1), on an open curve outside [0, 1], or not a number.
     Place {
         /// Position in the list, from 0.
         index: usize,
         /// The place.
         at: f64,
+        /// Whether the curve is closed.
+        closed: bool,
     },
     /// A place is not above the one before.
     Order {
@@ -52,8 +55,9 @@ impl fmt::Display for ProfileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Empty => write!(f, "composition: expected at least one key"),
-            Self::Place { index, at } => {
-                write!(f, "composition[{index}].at is {at}: expected a number from 0 to below 1")
+            Self::Place { index, at, closed } => {
+                let limit = if *closed { "below 1" } else { "1" };
+                write!(f, "composition[{index}].at is {at}: expected a number from 0 to {limit}")
             }
             Self::Order { index, at, previous } => {
                 write!(f, "composition[{index}].at is {at}: expected more than the {previous} before it")
@@ -71,14 +75,14 @@ impl Profile {
     /// Checks keys: a place as a fraction of the knot domain, and the composition there.
     ///
     /// # Errors
-    /// No key, a place outside [0, 1), places that do not ascend strictly, or different numbers of materials.
-    pub fn new(keys: Vec<(f64, Composition)>) -> Result<Self, ProfileError> {
+    /// No key, a place out of range, places that do not ascend strictly, or different numbers of materials.
+    pub fn new(keys: Vec<(f64, Composition)>, closed: bool) -> Result<Self, ProfileError> {
         let expected = keys.first().ok_or(ProfileError::Empty)?.1.fractions().len();
         let mut previous = None;
         for (index, (at, composition)) in keys.iter().enumerate() {
             let at = *at;
-            if !(0.0..1.0).contains(&at) {
-                return Err(ProfileError::Place { index, at });
+            if !(0.0..=1.0).contains(&at) || closed && at == 1.0 {
+                return Err(ProfileError::Place { index, at, closed });
             }
             if let Some(previous) = previous.filter(|&p| at <= p) {
                 return Err(ProfileError::Order { index, at, previous });
@@ -89,25 +93,28 @@ impl Profile {
             }
             previous = Some(at);
         }
-        Ok(Self { keys })
+        Ok(Self { keys, closed })
     }
 
     /// The same composition everywhere.
     #[must_use]
     pub fn constant(composition: Composition) -> Self {
-        Self { keys: vec![(0.0, composition)] }
+        Self { keys: vec![(0.0, composition)], closed: true }
     }
 
-    /// The composition at a fraction of the knot domain; fractions outside [0, 1) are wrapped into it.
+    /// The composition at a fraction of the knot domain; fractions outside [0, 1) are wrapped into it on a closed curve.
     ///
     /// # Panics
     /// When the fraction is not finite.
     #[must_use]
     pub fn at(&self, fraction: f64) -> Composition {
         assert!(fraction.is_finite(), "the fraction {fraction} is not finite");
-        let x = fraction.rem_euclid(1.0);
+        let x = if self.closed { fraction.rem_euclid(1.0) } else { fraction };
         let count = self.keys.len();
         let next = self.keys.partition_point(|(at, _)| *at <= x);
+        if !self.closed && (next == 0 || next == count) {
+            return self.keys[next.max(1) - 1].1.clone();
+        }
         let (from, a) = &self.keys[(next + count - 1) % count];
         let (to, b) = &self.keys[next % count];
         let span = (to - from).rem_euclid(1.0);
@@ -134,7 +141,7 @@ mod tests {
 
     #[test]
     fn linear_between_keys_and_across_the_seam() {
-        let profile = Profile::new(vec![(0.25, two(1.0)), (0.75, two(0.0))]).unwrap();
+        let profile = Profile::new(vec![(0.25, two(1.0)), (0.75, two(0.0))], true).unwrap();
         for (at, first) in
             [(0.25, 1.0), (0.5, 0.5), (0.75, 0.0), (0.0, 0.5), (0.875, 0.25), (1.5, 0.5), (-0.25, 0.0)]
         {
@@ -147,22 +154,25 @@ mod tests {
     fn one_key_is_constant() {
         let profile = Profile::constant(two(0.3));
         assert_eq!(profile.at(0.9), two(0.3));
-        let moved = Profile::new(vec![(0.4, two(0.3))]).unwrap();
+        let moved = Profile::new(vec![(0.4, two(0.3))], true).unwrap();
         assert_eq!(moved.at(0.1), two(0.3));
         assert_eq!(moved.keys().len(), 1);
     }
 
     #[test]
     fn wrong_keys_are_refused() {
-        assert_eq!(Profile::new(vec![]), Err(ProfileError::Empty));
-        assert_eq!(Profile::new(vec![(1.0, two(1.0))]), Err(ProfileError::Place { index: 0, at: 1.0 }));
-        assert!(Profile::new(vec![(f64::NAN, two(1.0))]).is_err());
+        assert_eq!(Profile::new(vec![], true), Err(ProfileError::Empty));
         assert_eq!(
-            Profile::new(vec![(0.5, two(1.0)), (0.5, two(0.0))]),
+            Profile::new(vec![(1.0, two(1.0))], true),
+            Err(ProfileError::Place { index: 0, at: 1.0, closed: true })
+        );
+        assert!(Profile::new(vec![(f64::NAN, two(1.0))], true).is_err());
+        assert_eq!(
+            Profile::new(vec![(0.5, two(1.0)), (0.5, two(0.0))], true),
             Err(ProfileError::Order { index: 1, at: 0.5, previous: 0.5 })
         );
         assert_eq!(
-            Profile::new(vec![(0.0, two(1.0)), (0.5, Composition::pure(0, 3))]),
+            Profile::new(vec![(0.0, two(1.0)), (0.5, Composition::pure(0, 3))], true),
             Err(ProfileError::Materials { index: 1, found: 3, expected: 2 })
         );
     }

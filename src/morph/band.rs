@@ -35,14 +35,15 @@ impl Ruling {
     }
 }
 
-/// Rulings all round the band: the lines of a matching and, between each two of them, more at even steps of both parameters.
+/// Rulings all round the band, or from end to end between open curves: the lines of a matching and, between each two of them, more at even
+/// steps of both parameters.
 ///
 /// Between two rulings the band is the bilinear patch on their four ends.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Band {
     rulings: Vec<Ruling>,
-    /// Parameters of the first ruling after one lap.
-    end: (f64, f64),
+    /// Parameters of the first ruling after one lap, where the band closes.
+    end: Option<(f64, f64)>,
     per_line: usize,
 }
 
@@ -61,8 +62,9 @@ impl Band {
     ) -> Self {
         let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
         let (u, v) = places.first().copied().unwrap_or_default();
-        let end = (u + periods[0], v + periods[1]);
-        let next = places.iter().copied().skip(1).chain([end]);
+        let end = curves[0].is_closed().then_some((u + periods[0], v + periods[1]));
+        let next = places.iter().copied().skip(1).chain(end);
+        let last = places.last().copied().filter(|_| end.is_none());
         let rulings = places
             .iter()
             .zip(next)
@@ -72,6 +74,7 @@ impl Band {
                     (u0 + t * (u1 - u0), v0 + t * (v1 - v0))
                 })
             })
+            .chain(last)
             .map(|(u, v)| Ruling {
                 u,
                 v,
@@ -100,7 +103,13 @@ impl Band {
         self.rulings.iter().step_by(self.per_line)
     }
 
-    /// In-between curve at the share `s`, as a closed polyline over all rulings: 0 gives the first curve, 1 the second.
+    /// Tells whether the last ruling is followed by the first.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.end.is_some()
+    }
+
+    /// In-between curve at the share `s`, as a polyline over all rulings, closed where the band is: 0 gives the first curve, 1 the second.
     ///
     /// Stage j of M is the curve at s = j / M; read as an iso-property curve, it joins the points whose
     /// composition is blended in the same ratio (Fig. 10 of the paper).
@@ -109,10 +118,10 @@ impl Band {
         self.rulings.iter().map(|ruling| ruling.point(s)).collect()
     }
 
-    /// Each ruling with the next, all round, and the parameters of the next, ascending.
+    /// Each ruling with the next, all round or from end to end, and the parameters of the next, ascending.
     pub(super) fn gaps(&self) -> impl Iterator<Item = (&Ruling, &Ruling, (f64, f64))> {
         let next = self.rulings.iter().skip(1).map(|ruling| (ruling, (ruling.u, ruling.v)));
-        let last = self.rulings.first().map(|ruling| (ruling, self.end));
+        let last = self.rulings.first().zip(self.end);
         self.rulings.iter().zip(next.chain(last)).map(|(this, (next, parameters))| (this, next, parameters))
     }
 }

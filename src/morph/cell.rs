@@ -33,8 +33,6 @@ pub fn unit_cells(band: &Band, stages: usize) -> Vec<UnitCell> {
             composition: this.composition(middle).mix(&next.composition(middle), 0.5),
         }
     };
-    (0..lines.len())
-        .flat_map(|line| (0..stages).map(move |stage| (line, stage)))
-        .map(|(l, s)| cell(l, s))
-        .collect()
+    let gaps = if band.is_closed() { lines.len() } else { lines.len().saturating_sub(1) };
+    (0..gaps).flat_map(|line| (0..stages).map(move |stage| (line, stage))).map(|(l, s)| cell(l, s)).collect()
 }

@@ -8,7 +8,7 @@ use glam::DVec2;
 pub struct IsoLine {
     /// Points, in order round the band; a closed line does not repeat the first one.
     pub points: Vec<DVec2>,
-    /// Whether the last point is followed by the first; an open line ends on the curves.
+    /// Whether the last point is followed by the first; an open line ends on the curves, or on the first or the last ruling of an open band.
     pub closed: bool,
 }
 
@@ -40,7 +40,9 @@ impl Band {
                 }
             }
         }
-        if crosses_seam {
+        if crosses_seam && !self.is_closed() {
+            lines.push(IsoLine { points: line, closed: false });
+        } else if crosses_seam {
             // The line came back to the first ruling: to the start of the line that began there, or to its own.
             if let Some(first) = lines.first_mut() {
                 line.extend(first.points.drain(1..));
@@ -148,7 +150,7 @@ mod tests {
         let straight: Vec<(f64, f64)> = parameters.map(|u| (u, u)).collect();
         let profiles = keys.map(|keys| {
             let pair = |f: f64| Composition::new(vec![f, 1.0 - f]).expect("a composition");
-            Profile::new(keys.iter().map(|&(at, f)| (at, pair(f))).collect()).expect("a profile")
+            Profile::new(keys.iter().map(|&(at, f)| (at, pair(f))).collect(), true).expect("a profile")
         });
         let compose = |curve: usize, u: f64| profiles[curve].at(u);
         Band::new(&[curve(1.0), curve(3.0)], &straight, compose, 4)

@@ -30,7 +30,7 @@ impl Band {
     /// first one counts.
     #[must_use]
     pub fn locate(&self, point: DVec2) -> Option<Place> {
-        let (per_line, lines) = (self.per_line(), self.rulings().len() / self.per_line());
+        let (per_line, lines) = (self.per_line(), self.lines().count());
         self.gaps().enumerate().find_map(|(gap, (this, next, (next_u, next_v)))| {
             let (t, s) = invert(this, next, point)?;
             let from_line = (gap % per_line) as f64 + t;

@@ -47,6 +47,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     let theme = if is_small { options.theme.compact() } else { options.theme };
     // Occluded lines that were added may cross: nothing is blended over them.
     let band = solution.band().filter(|_| solution.is_complete());
+    let tolerance = (CHORD_ERROR / viewport.scale).max(solution.model.bounds().diagonal() * 1e-6);
     let mut drawing = Drawing {
         solution,
         options,
@@ -56,7 +57,8 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
             && !options.patterns
             && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
-        outlines: outlines(solution, CHORD_ERROR / viewport.scale),
+        outlines: outlines(solution, tolerance),
+        tolerance,
         list: DisplayList::new(options.background.then_some(theme.canvas)),
     };
     drawing.grid();
@@ -69,7 +71,8 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         drawing.lines(problem, lines);
     }
     if let (Some(band), Some(s)) = (band, options.s) {
-        drawing.cased("current", Path::closed(band.in_between(s)), theme.current);
+        let path = Path { rings: vec![band.in_between(s)], closed: band.is_closed() };
+        drawing.cased("current", path, theme.current);
     }
     drawing.boundaries();
     drawing.samples();
@@ -78,12 +81,35 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     drawing.list
 }
 
-/// The curves as closed polylines within a chord error in document units.
+/// The curves as polylines within a chord error in document units.
 fn outlines(solution: &Solution, tolerance: f64) -> Path {
-    let finest = solution.model.bounds().diagonal() * 1e-6;
-    let ring =
-        |curve: &ClosedBSpline| curve.flatten(tolerance.max(finest)).into_iter().map(|(_, p)| p).collect();
-    Path { rings: solution.model.curves().iter().map(ring).collect(), closed: true }
+    let ring = |curve: &ClosedBSpline| curve.flatten(tolerance).into_iter().map(|(_, p)| p).collect();
+    Path { rings: solution.model.curves().iter().map(ring).collect(), closed: is_closed(solution) }
+}
+
+/// Whether the curves are closed; both are, or neither is.
+fn is_closed(solution: &Solution) -> bool {
+    solution.model.ends().is_none()
+}
+
+/// The border of an open band: along the first curve from the first line to the last, and back along the second.
+fn border(solution: &Solution, band: &Band, tolerance: f64) -> Path {
+    let (Some(first), Some(last), [one, other]) =
+        (band.rulings().first(), band.rulings().last(), solution.model.curves())
+    else {
+        return Path::default();
+    };
+    let stretch = |curve: &ClosedBSpline, from: f64, to: f64| {
+        let inner =
+            curve.flatten(tolerance).into_iter().filter(move |(u, _)| (from..to).contains(u) && *u > from);
+        let mut points = vec![curve.point(from)];
+        points.extend(inner.map(|(_, point)| point));
+        points.push(curve.point(to));
+        points
+    };
+    let mut ring = stretch(one, first.u, last.u);
+    ring.extend(stretch(other, first.v, last.v).into_iter().rev());
+    Path::closed(ring)
 }
 
 struct Drawing<'a> {
@@ -96,6 +122,8 @@ struct Drawing<'a> {
     /// Document units in one CSS pixel.
     unit: f64,
     outlines: Path,
+    /// Chord error of drawn curves in document units.
+    tolerance: f64,
     list: DisplayList,
 }
 
@@ -144,7 +172,12 @@ impl Drawing<'_> {
         } else {
             return;
         };
-        self.list.push("material", Item::Mesh { mesh, outline: self.outlines.clone(), opacity: 1.0 });
+        let outline = if band.is_closed() {
+            self.outlines.clone()
+        } else {
+            border(self.solution, band, self.tolerance)
+        };
+        self.list.push("material", Item::Mesh { mesh, outline, opacity: 1.0 });
     }
 
     /// One hatch for each material; empty space has none.
@@ -167,7 +200,8 @@ impl Drawing<'_> {
         if self.shows(LayerName::InBetweens) {
             let segments = self.solution.model.document().segments();
             let rings = (1..segments).map(|j| band.in_between(j as f64 / segments as f64)).collect();
-            self.stroke("in-betweens", Path { rings, closed: true }, self.inside(self.theme.in_between));
+            let path = Path { rings, closed: band.is_closed() };
+            self.stroke("in-betweens", path, self.inside(self.theme.in_between));
         }
     }
 
@@ -274,7 +308,8 @@ impl Drawing<'_> {
     fn control_polygons(&mut self) {
         if self.shows(LayerName::ControlPoints) {
             let rings = self.solution.model.curves().iter().map(|curve| curve.points().to_vec()).collect();
-            self.stroke("control-polygons", Path { rings, closed: true }, self.theme.control_polygon);
+            let path = Path { rings, closed: is_closed(self.solution) };
+            self.stroke("control-polygons", path, self.theme.control_polygon);
         }
     }
 }
@@ -290,7 +325,8 @@ fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
         mesh.colors.extend(ruling.ends.each_ref().map(|end| mix_colors(colors, end)));
     }
     let count = mesh.vertices.len() as u32;
-    for this in (0..count).step_by(2) {
+    let end = if band.is_closed() { count } else { count.saturating_sub(2) };
+    for this in (0..end).step_by(2) {
         let next = (this + 2) % count;
         mesh.triangles.extend([[this, this + 1, next], [next, this + 1, next + 1]]);
     }

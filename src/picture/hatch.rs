@@ -2,13 +2,12 @@
 //!
 //! Lines of one material are parallel and evenly spaced on the screen. Across each triangle the width of a line is linear, as the fraction
 //! is, so that it covers a convex polygon: the triangle cut by two half planes. Pictures in pixels take how much of each pixel the
-//! lines cover, SVG the polygons. Where a material is alone its lines cover [`FULL`] of the area, for lines that fill it have no angle; half
+//! lines cover, SVG the polygons of `svg_hatch.rs`. Where a material is alone its lines cover [`FULL`] of the area, for lines that fill it have no angle; half
 //! the fraction covers half of that, exactly.
 
 use glam::DVec2;
 
-use super::clip::{Frame, cut};
-use super::{Path, Viewport};
+use super::Viewport;
 use crate::material::Composition;
 
 /// Share of the area that the lines of a pure material cover.
@@ -19,12 +18,6 @@ const PERIOD: f64 = 7.0;
 
 /// Angles in degrees from the horizontal, counter-clockwise. Further materials have them again, each round with lines farther apart.
 const ANGLES: [f64; 4] = [0.0, 45.0, 90.0, 135.0];
-
-/// Smaller fractions are not drawn.
-const LEAST: f64 = 1e-6;
-
-/// Room round the picture in which lines are kept, in device pixels.
-const MARGIN: f64 = 16.0;
 
 /// Triangles with a composition at each vertex, linear between them.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -44,18 +37,15 @@ impl Blends {
     }
 }
 
-/// A corner on the screen, with the fraction of one material.
-type Corner = (DVec2, f64);
-
 /// The parallel lines of one material.
 #[derive(Clone, Copy)]
 pub(super) struct Lines {
     /// Across the lines, of unit length.
-    normal: DVec2,
+    pub(super) normal: DVec2,
     /// Pixels from one line to the next.
-    period: f64,
+    pub(super) period: f64,
     /// How far the first line lies from the upper left corner of the picture.
-    phase: f64,
+    pub(super) phase: f64,
 }
 
 impl Lines {
@@ -75,65 +65,14 @@ impl Lines {
         let half = fraction * FULL * self.period / 2.0;
         ((away + 0.5).min(half) - (away - 0.5).max(-half)).clamp(0.0, 1.0)
     }
-
-    /// Adds what the lines cover of a triangle.
-    fn cover(&self, triangle: [Corner; 3], frame: &Frame, covered: &mut Vec<Vec<DVec2>>) {
-        let [a, b, c] = triangle;
-        // All polygons turn the same way, so that those that touch are one area.
-        let turn = (b.0 - a.0).perp_dot(c.0 - a.0);
-        let mut ring = if turn < 0.0 { vec![a, c, b] } else { vec![a, b, c] };
-        if turn == 0.0 || ring.iter().all(|corner| corner.1 < LEAST) {
-            return;
-        }
-        let lerp = |p: Corner, q: Corner, t: f64| (p.0.lerp(q.0, t), p.1 + (q.1 - p.1) * t);
-        if ring.iter().any(|corner| !frame.contains(corner.0)) {
-            let (min, max) = (frame.min, frame.max);
-            for (axis, bound, sign) in [(0, min.x, 1.0), (0, max.x, -1.0), (1, min.y, 1.0), (1, max.y, -1.0)]
-            {
-                ring = cut(&ring, |corner| sign * (corner.0[axis] - bound), lerp);
-            }
-        }
-        let place = |corner: &Corner| self.normal.dot(corner.0) - self.phase;
-        let low = ring.iter().map(place).fold(f64::INFINITY, f64::min);
-        let high = ring.iter().map(place).fold(f64::NEG_INFINITY, f64::max);
-        if low > high {
-            return;
-        }
-        let half = |corner: &Corner| corner.1 * FULL * self.period / 2.0;
-        let reach = FULL * self.period / 2.0;
-        let last = ((high + reach) / self.period).floor() as i64;
-        for k in ((low - reach) / self.period).ceil() as i64..=last {
-            let line = k as f64 * self.period;
-            let above = cut(&ring, |corner| half(corner) - (place(corner) - line), lerp);
-            let both = cut(&above, |corner| half(corner) + (place(corner) - line), lerp);
-            if both.len() >= 3 {
-                covered.push(both.into_iter().map(|corner| corner.0).collect());
-            }
-        }
-    }
-}
-
-/// The areas that the hatch of a material covers, in document units.
-pub(super) fn hatch(blends: &Blends, material: usize, viewport: &Viewport) -> Path {
-    let lines = Lines::new(material, viewport);
-    let frame = Frame::around(viewport, MARGIN);
-    let corner = |index: u32| {
-        let index = index as usize;
-        (viewport.place(blends.vertices[index]), blends.fraction(index, material))
-    };
-    let mut covered = Vec::new();
-    for triangle in &blends.triangles {
-        lines.cover(triangle.map(corner), &frame, &mut covered);
-    }
-    let units = |ring: Vec<DVec2>| ring.into_iter().map(|p| viewport.to_units(p)).collect();
-    Path { rings: covered.into_iter().map(units).collect(), closed: true }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::material::Color;
-    use crate::picture::{DisplayList, Item, paint};
+    use crate::picture::svg_hatch::hatch;
+    use crate::picture::{DisplayList, Item, Path, paint};
 
     const INK: Color = Color::new(0, 0, 0);
 

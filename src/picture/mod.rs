@@ -23,6 +23,8 @@ mod strip;
 #[cfg(feature = "svg")]
 mod svg;
 #[cfg(feature = "svg")]
+mod svg_hatch;
+#[cfg(feature = "svg")]
 mod svg_shade;
 mod theme;
 mod viewport;

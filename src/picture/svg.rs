@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::clip::Frame;
 use super::grid::{GridLine, grid_lines};
-use super::hatch::hatch;
+use super::svg_hatch::hatch;
 use super::svg_shade::{Patch, Shade, mean_color, patches};
 use super::{DisplayList, Item, Mesh, Path, StrokeStyle, Viewport};
 use crate::material::Color;

@@ -281,11 +281,15 @@ impl From<&Diagnostic> for DiagnosticResult {
             }
             Diagnostic::Orphan { curve, vertices }
             | Diagnostic::Stuck { curve, vertices }
+            | Diagnostic::LeftOut { curve, vertices }
             | Diagnostic::Jammed { curve, vertices } => {
                 result.curve = Some(*curve);
                 result.vertices = Some(vertices.clone());
             }
-            Diagnostic::Incomplete { .. } | Diagnostic::Disjoint | Diagnostic::Solvable => {}
+            Diagnostic::Incomplete { .. }
+            | Diagnostic::Disjoint
+            | Diagnostic::Solvable
+            | Diagnostic::Ends { .. } => {}
             Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
             Diagnostic::UnverifiedGap { lines, at } => {
                 result.lines = Some(lines.clone());

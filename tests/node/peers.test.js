@@ -18,9 +18,12 @@ const dx = await load({ module: "figure" });
 const read = async (/** @type {string} */ file) =>
   JSON.parse(await readFile(new URL(`../../www/presets/${file}.json`, import.meta.url), "utf8"));
 /** @type {{id: string}[]} */
-const index = await read("index");
+const listed = await read("index");
 /** @type {CurvesDocument[]} */
-const presets = await Promise.all(index.map(({ id }) => read(id)));
+const documents = await Promise.all(listed.map(({ id }) => read(id)));
+/** The others match closed outlines alone. @param {unknown} _ @param {number} k */
+const isClosed = (_, k) => documents[k].curves[0].form !== "open";
+const [index, presets] = [listed.filter(isClosed), documents.filter(isClosed)];
 
 /** A circle to nine digits, drawn either way. @param {number} radius @param {boolean} [clockwise] */
 function circle(radius, clockwise = false) {

@@ -9,6 +9,7 @@ pub struct Picture {
     polygons: [Vec<DVec2>; 2],
     segments: Vec<(DVec2, DVec2)>,
     hair: f64,
+    closed: bool,
 }
 
 #[allow(dead_code, reason = "each test program uses a part of them")]
@@ -35,7 +36,7 @@ impl Picture {
             all.into_iter().map(|(_, point)| point).collect::<Vec<_>>()
         });
         let segments = ends[0].iter().zip(&ends[1]).map(|(p, q)| (p.1, q.1)).collect();
-        Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal() }
+        Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal(), closed: true }
     }
 
     /// Pairs, with the polygons that they were verified against, however fine.
@@ -49,7 +50,20 @@ impl Picture {
         let samples = model.samples();
         let polygons = [0, 1].map(|axis| samples[axis].points.clone());
         let segments = lines.iter().map(|line| (polygons[0][line.from], polygons[1][line.to])).collect();
-        Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal() }
+        Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal(), closed: true }
+    }
+
+    /// Pairs between open curves, with the polylines that they were verified against.
+    pub fn as_verified_open(model: &Model, pairs: &OneToOne) -> Self {
+        let polygons = pairs.problem.outlines().each_ref().map(|outline| outline.points.clone());
+        let [first, second] = [&model.curves()[0], &model.curves()[1]];
+        let segments = pairs.places.iter().map(|&(u, v)| (first.point(u), second.point(v))).collect();
+        Self { polygons, segments, hair: 1e-10 * model.bounds().diagonal(), closed: false }
+    }
+
+    /// Lines between samples of open curves.
+    pub fn of_open_lines(model: &Model, lines: &[RulingLine]) -> Self {
+        Self { closed: false, ..Self::of_lines(model, lines) }
     }
 
     /// Whether two segments pass through each other by more than a hair.
@@ -70,7 +84,8 @@ impl Picture {
         let blocked = |&k: &usize| {
             self.polygons.iter().any(|polygon| {
                 let next = polygon.iter().cycle().skip(1);
-                polygon.iter().zip(next).any(|(&a, &b)| self.pass(self.segments[k], (a, b)))
+                let edges = polygon.len() - usize::from(!self.closed);
+                polygon.iter().zip(next).take(edges).any(|(&a, &b)| self.pass(self.segments[k], (a, b)))
             })
         };
         (crossed, (0..count).filter(blocked).collect())

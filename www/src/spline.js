@@ -10,6 +10,12 @@ const CHORDS = 12;
 /** Part of the domain to either side over which a tangent is taken. */
 const NEAR = 1e-4;
 
+/** @param {Shape | undefined} curve */
+export const isOpen = (curve) => curve?.form === "open";
+
+/** How the path of an outline ends. @param {Shape} curve */
+export const ending = (curve) => (isOpen(curve) ? "" : "Z");
+
 /**
  * The full knot vector with the control points it belongs to, repeated for a periodic curve.
  * @param {Shape} curve
@@ -18,7 +24,7 @@ const NEAR = 1e-4;
 export function unrolled(curve) {
   const { degree: p, points, form } = curve;
   const n = points.length;
-  if (form === "clamped") {
+  if (form !== "periodic") {
     const knots = curve.knots ?? Array.from({ length: n + p + 1 }, (_, i) => clampedKnot(i, n, p));
     return { knots, points };
   }
@@ -47,7 +53,7 @@ function clampedKnot(i, n, p) {
 const outlines = new WeakMap();
 
 /**
- * The outline as a chain of chords with the parameter of every vertex, seam at both ends.
+ * The outline as a chain of chords with the parameter of every vertex, the seam of a closed curve at both ends.
  * @param {Shape} curve
  * @param {number} [chords] of one knot span
  * @returns {{u: number, at: Point}[]}
@@ -82,7 +88,8 @@ function trace(curve, chords) {
 }
 
 /**
- * A place on a curve by its fraction of the knot domain, and the outward unit normal there; at a corner the normal bisects.
+ * A place on a curve by its fraction of the knot domain, and the unit normal there, outward or to the right of an open curve; at a corner
+ * the normal bisects.
  * @param {Curve} curve
  * @param {number} fraction
  * @returns {{at: Point, normal: Point}}
@@ -91,7 +98,7 @@ export function placeOn(curve, fraction) {
   const [before, at, after] = [-NEAR, 0, NEAR].map((by) => pointAt(curve, fraction + by));
   const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
   const length = Math.hypot(dx, dy) || 1;
-  const side = signedArea(outline(curve).map((vertex) => vertex.at)) < 0 ? -1 : 1;
+  const side = !isOpen(curve) && signedArea(outline(curve).map((vertex) => vertex.at)) < 0 ? -1 : 1;
   return { at, normal: [(side * dy) / length, (-side * dx) / length] };
 }
 
@@ -121,14 +128,15 @@ export function signedArea(polygon) {
 
 /**
  * @param {Curve} curve
- * @param {number} fraction of the knot domain, past either end round the seam
+ * @param {number} fraction of the knot domain, past either end round the seam, or on an open curve at the end
  * @returns {Point}
  */
 function pointAt(curve, fraction) {
   const { knots, points } = unrolled(curve);
   const p = curve.degree;
   const [low, high] = [knots[p], knots[points.length]];
-  const u = low + (fraction - Math.floor(fraction)) * (high - low);
+  const inside = isOpen(curve) ? Math.min(1, Math.max(0, fraction)) : fraction - Math.floor(fraction);
+  const u = low + inside * (high - low);
   let span = p;
   while (span < points.length - 1 && knots[span + 1] <= u) span += 1;
   return deBoor(knots, points, p, span, u);
@@ -193,7 +201,7 @@ export function dropKnot(curve, point) {
   const n = curve.points.length;
   let middle = 0;
   for (let i = 1; i <= p; i += 1) middle += /** @type {number} */ (knots[point + i]) / p;
-  if (form === "clamped") {
+  if (form !== "periodic") {
     const inner = nearestIndex(knots.slice(p + 1, n), middle);
     return knots.filter((_, i) => i !== p + 1 + inner);
   }

@@ -140,7 +140,7 @@ export const strings = {
   },
 
   empty: {
-    line: "Draw two closed curves, one inside the other, or start from something ready.",
+    line: "Draw two curves, or start from something ready.",
     gallery: "Gallery",
     import: "Import",
   },

@@ -19,7 +19,7 @@
  *
  * @typedef {object} Shape A curve without what it is made of.
  * @property {number} degree
- * @property {"periodic" | "clamped"} form
+ * @property {"periodic" | "clamped" | "open"} form
  * @property {Point[]} points
  * @property {number[]} [knots]
  *
@@ -48,6 +48,7 @@
  * @property {number} [lines] number of one-to-one lines
  * @property {number | "best"} [shift] of the method `shift`
  * @property {"strict" | "repair"} [policy]
+ * @property {"tied" | "free"} [ends] of open curves
  * @property {Pin[]} [pins]
  * @property {PrintedRule[]} [printed]
  * @property {number} normalWeight

@@ -123,7 +123,7 @@ pub fn fit(points: &[DVec2], options: &FitOptions) -> Result<Fit, FitError> {
     let task = Task { outline: &outline, corners: &corners, through: options.through };
     let mut best = task.solve(tolerance)?;
     let mut simple = best.curve.self_intersection().is_none();
-    if !simple && !options.through && first_self_contact(&outline.points).is_none() {
+    if !simple && !options.through && first_self_contact(&outline.points, true).is_none() {
         for step in 1..TIGHTER {
             let Ok(tighter) = task.solve(tolerance * 0.25_f64.powi(step as i32)) else { break };
             if tighter.curve.self_intersection().is_none() {

@@ -10,6 +10,7 @@ import { attribute, h, write } from "../dom.js";
 import { mixed } from "../oklab.js";
 import { choose, dragKey, insert, pressed, spokenKey } from "../stage/key-edits.js";
 import { curveName, pointName } from "../state/app.js";
+import { isOpen } from "../spline.js";
 import { mixAt } from "../state/composition.js";
 import { strings } from "../strings.js";
 
@@ -113,12 +114,13 @@ export function compositionStrip(app, curve) {
  */
 function gradient({ curves, materials }, curve) {
   const keys = curves[curve].composition;
+  const open = isOpen(curves[curve]);
   const colors = materials.map(({ color }) => color);
   const stops = [
-    { at: 0, mix: mixAt(keys, 0) },
+    { at: 0, mix: mixAt(keys, 0, open) },
     ...keys,
     // Just before the seam: at 1 the first key itself may stand.
-    { at: 1, mix: mixAt(keys, 1 - 1e-9) },
+    { at: 1, mix: mixAt(keys, 1 - 1e-9, open) },
   ];
   const list = stops.map(({ at, mix }) => `${mixed(colors, mix)} ${(at * 100).toFixed(2)}%`);
   return `linear-gradient(to right in oklab, ${list.join(", ")})`;

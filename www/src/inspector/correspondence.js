@@ -6,7 +6,7 @@
  */
 import { attribute, h, svg, write } from "../dom.js";
 import { fixed } from "../format.js";
-import { unrolled } from "../spline.js";
+import { isOpen, unrolled } from "../spline.js";
 import { currentMatch } from "../state/app.js";
 import { keptGaps, shownLines } from "../state/lines.js";
 import { Lane } from "../state/lane.js";
@@ -92,7 +92,8 @@ export function createCorrespondence(app) {
     const { curves } = app.store.document;
     places = fractions(match, curves);
     if (places.length === 0) return;
-    const ring = [...places, /** @type {Point} */ ([places[0][0] + 1, places[0][1] + 1])];
+    const open = isOpen(curves[0]);
+    const ring = open ? places : [...places, /** @type {Point} */ ([places[0][0] + 1, places[0][1] + 1])];
     attribute(path, "d", stepped(ring));
     const gaps = keptGaps(match).map(({ lines = [] }) => lines.map((line, i) => lapped(places, line, lines[0], i)));
     attribute(kept, "d", gaps.map(stepped).join(""));

@@ -15,6 +15,7 @@ import { select } from "../controls/select.js";
 import { h, write } from "../dom.js";
 import { symbol } from "../icons.js";
 import { later } from "../later.js";
+import { isOpen } from "../spline.js";
 import { currentMatch } from "../state/app.js";
 import { patch } from "../state/edits.js";
 import { choiceOf, CHOICES, choose, printAll, printRule, rulesOf, setLines } from "../state/methods.js";
@@ -137,6 +138,17 @@ export function createMatchingFields(app) {
     },
     (value) => put({ policy: /** @type {Matching["policy"]} */ (value) }),
   );
+  const ends = segment(
+    {
+      label: words.ends,
+      name: "ends",
+      choices: [
+        { value: "tied", text: words.tied },
+        { value: "free", text: words.free },
+      ],
+    },
+    (value) => put({ ends: /** @type {Matching["ends"]} */ (value) }),
+  );
   const oneToOne = checkBox({ name: "one-to-one", text: [words.oneToOne] }, (on) => put({ oneToOne: on }));
   const count = numberField(
     { label: words.count, name: "lines", ...LINES, step: 1, decimals: 0, whole: true },
@@ -166,6 +178,7 @@ export function createMatchingFields(app) {
     price: row(words.price, price),
     shift: row(words.shift, shiftKind, shift),
     policy: row(words.infeasible, policy),
+    ends: row(words.ends, ends),
   };
   const element = h(
     "div",
@@ -178,6 +191,7 @@ export function createMatchingFields(app) {
     row(words.normalWeight, ...normal.controls),
     row(words.distanceWeight, ...distance.controls),
     rows.policy,
+    rows.ends,
     row(words.lines, oneToOne, count),
     more,
     plot,
@@ -212,7 +226,11 @@ export function createMatchingFields(app) {
       about.hidden = words.about[choice] === "";
       rows.price.hidden = choice !== "sum-less-price";
       price.set(matching.linePrice ?? 0);
-      rows.shift.hidden = choice !== "shift";
+      const open = isOpen(app.store.document.curves[0]);
+      rows.ends.hidden = !open;
+      ends.set(matching.ends ?? "tied");
+      // Open curves have no seam to shift.
+      rows.shift.hidden = choice !== "shift" || open;
       const by = matching.shift ?? "best";
       shiftKind.set(by === "best" ? "best" : "number");
       shift.element.hidden = by === "best";

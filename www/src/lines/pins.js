@@ -3,7 +3,7 @@
  *
  * @import { Curve, CurvesDocument, Match, Pin } from "../types.js"
  */
-import { unrolled } from "../spline.js";
+import { isOpen, unrolled } from "../spline.js";
 import { patch, tidy } from "../state/edits.js";
 
 /** Most pins of a document, and part of a domain within which two places are one. */
@@ -21,12 +21,13 @@ export function domainOf(curve) {
 }
 
 /**
- * A parameter brought into the domain of a curve, round the seam.
+ * A parameter brought into the domain of a curve, round the seam, or to the end of an open one.
  * @param {Curve} curve
  * @param {number} u
  */
 export function wrapped(curve, u) {
   const [low, high] = domainOf(curve);
+  if (isOpen(curve)) return tidy(Math.min(high, Math.max(low, u)));
   const share = (u - low) / (high - low);
   const inside = tidy(low + (share - Math.floor(share)) * (high - low));
   return inside < high ? inside : low;
@@ -64,7 +65,7 @@ export function pinAt({ curves, matching }, ends) {
   const same = (/** @type {number} */ i, /** @type {number} */ a, /** @type {number} */ b) => {
     const [low, high] = domainOf(/** @type {Curve} */ (curves[i]));
     const away = Math.abs(a - b) / (high - low);
-    return Math.min(away, 1 - away) < NEAR;
+    return (isOpen(curves[i]) ? away : Math.min(away, 1 - away)) < NEAR;
   };
   return (matching.pins ?? []).findIndex((pin) => same(0, pin.u, ends.u) && same(1, pin.v, ends.v));
 }

@@ -7,7 +7,7 @@
  */
 import { find } from "../dom.js";
 import { problem } from "../painter.js";
-import { outline } from "../spline.js";
+import { isOpen, outline } from "../spline.js";
 import { curveName, pointName } from "../state/app.js";
 import {
   alignPoints,
@@ -156,16 +156,32 @@ export async function smooth(app) {
   const ys = chain.map(([, y]) => y);
   const diagonal = Math.hypot(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys));
   try {
-    const fitted = await app.kernel.fitCurve(chain.slice(0, -1), {
-      tolerance: diagonal * NEAR,
-      corners: "smooth",
-      through: false,
-    });
-    if (app.store.document !== before) return;
-    const shape = /** @type {import("../types.js").Shape} */ (fitted.curve);
+    const shape = isOpen(before.curves[curve]) ? await smoothOpen(chain) : await fitted(app, chain, diagonal * NEAR);
+    if (app.store.document !== before || !shape) return;
     const said = words.smoothed(curveName(before, curve), shape.points.length);
     commit(app, (document) => putShape(document, curve, shape), whole(curve), said);
   } catch (error) {
     app.ui.set({ note: { tone: "error", text: problem(error).message } });
   }
+}
+
+/**
+ * @param {App} app
+ * @param {import("../types.js").Point[]} chain
+ * @param {number} tolerance
+ */
+async function fitted(app, chain, tolerance) {
+  const { curve } = await app.kernel.fitCurve(chain.slice(0, -1), { tolerance, corners: "smooth", through: false });
+  return /** @type {import("../types.js").Shape} */ (curve);
+}
+
+/** Points of an open curve that its smooth one passes. */
+const PASSED = 24;
+
+/** @param {import("../types.js").Point[]} chain */
+async function smoothOpen(chain) {
+  const { openCurveThrough } = await import("../state/through-open.js");
+  const every = (chain.length - 1) / Math.min(PASSED - 1, chain.length - 1);
+  const count = Math.round((chain.length - 1) / every) + 1;
+  return openCurveThrough(Array.from({ length: count }, (_, k) => chain[Math.min(chain.length - 1, Math.round(k * every))]));
 }

@@ -1,6 +1,6 @@
 /**
- * Drawing a closed curve: by points that it passes, or freehand with a fit when the line is let go. The figure keeps its
- * zoom and pan meanwhile.
+ * Drawing a curve: by points that it passes, or freehand with a fit when the line is let go. It is open beside an open curve and closed
+ * beside a closed one; the first one is either. The figure keeps its zoom and pan meanwhile.
  *
  * @import { App, Stroke, Tool } from "../state/app.js"
  * @import { Point, Shape } from "../types.js"
@@ -9,18 +9,21 @@ import { segment } from "../controls/choices.js";
 import { attribute, find, h, svg, write } from "../dom.js";
 import { coordinate } from "../format.js";
 import { problem } from "../painter.js";
-import { outline } from "../spline.js";
+import { isOpen, outline } from "../spline.js";
 import { curveName } from "../state/app.js";
 import { placeForCurve, POINT_LIMIT, putShape } from "../state/curve-edits.js";
 import { handleCount } from "../state/edits.js";
 import { whole } from "../state/selection.js";
+import { openCurveThrough } from "../state/through-open.js";
 import { curveThrough } from "../state/through.js";
 import { strings } from "../strings.js";
 import { aimed, gridStep, panned, toPlane, toScreen } from "../view.js";
+import { words as openWords } from "./draw-words.js";
 import { rested } from "./snap.js";
 
-/** Fewest points of a closed curve. */
+/** Fewest points of a closed curve, and of an open one. */
 const FEWEST = 3;
+const FEWEST_OPEN = 2;
 /** Pixels within which a click is meant for a point that is there, by pointer and by touch. */
 const REACH = { mouse: 10, touch: 22 };
 /** Pixels between places of a stroke, its least length and least size, and how far the fitted curve may lie from it. */
@@ -28,6 +31,9 @@ const SPACING = 3;
 const SHORTEST = 80;
 const SMALLEST = 16;
 const TOLERANCE = 2.5;
+/** Pixels of a stroke from one point of an open curve to the next, and most such points. */
+const STRETCH = 36;
+const MOST = 40;
 /** Pixels of an arrow key. */
 const STEP = 10;
 /** Chords of one knot span of the preview, whose spans may be long. */
@@ -54,6 +60,12 @@ export function startDrawing(app) {
 function createDraw(app) {
   const touch = matchMedia("(pointer: coarse)").matches;
   const { index, replaces } = placeForCurve(app.store.document, app.ui.value.selection?.curve ?? 1);
+  const { curves } = app.store.document;
+  const other = replaces ? curves[1 - index] : curves[0];
+  /** Whether the curve has to be open; both kinds may come first. */
+  const open = isOpen(other);
+  const either = !other;
+  const fewest = open ? FEWEST_OPEN : FEWEST;
   const before = document.activeElement;
   /** @type {"points" | "freehand"} */
   let mode = "points";
@@ -98,14 +110,15 @@ function createDraw(app) {
     return element;
   };
   const back = button("back", words.back, takeBack);
-  const finish = button("close", words.finish, () => void done());
+  const finish = button("close", open ? openWords.finish : words.finish, () => done());
+  const leave = button("leave", openWords.leave, () => done(true));
   const cancel = button("cancel", words.cancel, () => giveUp());
   const bar = h(
     "div",
     { class: "draw-bar", role: "group", "aria-label": words.region, "data-furniture": "" },
     choice.element,
     hint,
-    h("span", { class: "draw-commands" }, back, finish, cancel),
+    h("span", { class: "draw-commands" }, back, finish, ...(either ? [leave] : []), cancel),
   );
   const keyboard = h("div", {
     id: "draw-keys",
@@ -131,7 +144,7 @@ function createDraw(app) {
     if (event.key === "Escape") giveUp();
     else if (undoes || event.key === "Backspace" || event.key === "Delete") takeBack();
     else if (!own) return;
-    else if (event.key === "Enter") void done();
+    else if (event.key === "Enter") done(open || (either && event.shiftKey));
     else if (event.key === " " && mode === "points") setPoint(crosshair());
     else if (event.key.startsWith("Arrow")) moveCross(event);
     else return;
@@ -192,13 +205,14 @@ function createDraw(app) {
     refresh();
   }
 
-  async function done() {
+  /** @param {boolean} [leavesOpen] */
+  function done(leavesOpen = open) {
     if (mode === "freehand") return;
-    if (points.length < FEWEST) {
+    if (points.length < (leavesOpen ? FEWEST_OPEN : FEWEST)) {
       tell(hintText());
       return;
     }
-    const shape = curveThrough(points);
+    const shape = (leavesOpen ? openCurveThrough : curveThrough)(points);
     if (shape) put(shape);
     else tell(words.flat);
   }
@@ -223,8 +237,13 @@ function createDraw(app) {
     const { view } = app.ui.value;
     const drawn = line;
     line = [];
-    if (!view || !isLoop(drawn, view.scale)) {
-      tell(words.tooShort);
+    const shape = open && view ? openCurveThrough(spread(drawn, view.scale)) : null;
+    if (!view || (open ? !shape : !isLoop(drawn, view.scale))) {
+      tell(open ? openWords.tooShort : words.tooShort);
+      return;
+    }
+    if (shape) {
+      put(shape);
       return;
     }
     fitting = true;
@@ -261,10 +280,13 @@ function createDraw(app) {
   function hintText() {
     if (said) return said;
     if (fitting) return words.fitting;
-    if (mode === "freehand") return words.stroke;
+    if (mode === "freehand") return open ? openWords.stroke : words.stroke;
     if (points.length === 0) return touch ? words.touchStart : words.start;
-    const missing = FEWEST - points.length;
+    const missing = fewest - points.length;
+    if (open && missing > 0) return touch ? openWords.touchMore : openWords.more;
+    if (open) return touch ? openWords.touchClose : openWords.close;
     if (missing > 0) return (touch ? words.touchMore : words.more)(missing);
+    if (either) return touch ? openWords.touchEither : openWords.either;
     return touch ? words.touchClose : words.close;
   }
 
@@ -277,14 +299,14 @@ function createDraw(app) {
     const through = here && points.length > 0 ? [...points, here] : points;
     const path = (/** @type {readonly Point[]} */ chain) =>
       chain.length < 2 ? "" : `M${chain.map((at) => toScreen(view, size, at).map((v) => v.toFixed(1)).join(" ")).join("L")}`;
-    const shape = freehand ? null : curveThrough(through);
+    const shape = freehand ? null : (open ? openCurveThrough : curveThrough)(through);
     const chain = shape ? outline(shape, CHORDS).map(({ at }) => at) : freehand ? line : through;
     attribute(preview, "d", path(chain));
-    attribute(closing, "d", freehand && line.length > 1 ? path([line[line.length - 1], line[0]]) : "");
+    attribute(closing, "d", freehand && !open && line.length > 1 ? path([line[line.length - 1], line[0]]) : "");
     dots.replaceChildren(
       ...points.map((at, i) => {
         const [x, y] = toScreen(view, size, at);
-        const first = i === 0 && points.length >= FEWEST;
+        const first = !open && i === 0 && points.length >= FEWEST;
         return svg("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: first ? 6 : 3.5, class: first ? "draw-first" : "draw-dot" });
       }),
     );
@@ -294,8 +316,9 @@ function createDraw(app) {
     const extra = replaces && points.length === 0 && !said ? ` ${words.replaces(curveName(app.store.document, index))}` : "";
     write(hint, hintText() + extra);
     back.disabled = points.length === 0;
-    finish.disabled = points.length < FEWEST;
-    back.hidden = finish.hidden = freehand;
+    finish.disabled = points.length < fewest;
+    leave.disabled = points.length < FEWEST_OPEN;
+    back.hidden = finish.hidden = leave.hidden = freehand;
   }
 
   /** @param {Point} at CSS pixels @param {boolean} invert */
@@ -316,23 +339,23 @@ function createDraw(app) {
   const tool = {
     hover(at) {
       if (mode === "freehand" || (!at && !pointer)) return;
-      const first = at && points.length >= FEWEST && isOn(at, points[0], REACH.mouse);
+      const first = at && !open && points.length >= FEWEST && isOn(at, points[0], REACH.mouse);
       pointer = at ? (first ? points[0] : planeOf(at)) : null;
       if (at) cross = null;
       refresh();
     },
     tap(at, event) {
       if (mode === "freehand") {
-        tell(words.tooShort);
+        tell(open ? openWords.tooShort : words.tooShort);
         return;
       }
       const reach = event.pointerType === "touch" ? REACH.touch : REACH.mouse;
       pointer = null;
       cross = null;
-      const closes = points.length >= FEWEST && isOn(at, points[0], reach);
+      const closes = !open && points.length >= FEWEST && isOn(at, points[0], reach);
       // The second half of a double click lands on the point that the first half has set.
       const doubled = event.pointerType !== "touch" && isOn(at, points.at(-1), 3);
-      if (closes || (doubled && points.length >= FEWEST)) void done();
+      if (closes || (doubled && points.length >= fewest)) done();
       else if (!doubled) setPoint(planeOf(at, event.ctrlKey || event.metaKey));
     },
     stroke(at) {
@@ -368,6 +391,26 @@ function createDraw(app) {
 function focusOutline(index) {
   const outline = document.querySelector(`[data-outline="${index}"]`);
   if (outline instanceof SVGElement) outline.focus({ preventScroll: true });
+}
+
+/**
+ * Points along a stroke, evenly spread, both ends among them; none of one that is too short.
+ * @param {readonly Point[]} line document units
+ * @param {number} scale pixels for one unit
+ * @returns {Point[]}
+ */
+function spread(line, scale) {
+  const arcs = [0];
+  for (let i = 1; i < line.length; i += 1) arcs.push(arcs[i - 1] + Math.hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]));
+  const length = arcs[arcs.length - 1];
+  if (length * scale < SHORTEST) return [];
+  const count = Math.min(MOST, Math.max(4, Math.round((length * scale) / STRETCH)));
+  return Array.from({ length: count }, (_, k) => {
+    const arc = (length * k) / (count - 1);
+    const i = Math.max(1, arcs.findIndex((each) => each >= arc));
+    const t = (arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1] || 1);
+    return /** @type {Point} */ ([0, 1].map((axis) => line[i - 1][axis] + t * (line[i][axis] - line[i - 1][axis])));
+  });
 }
 
 /**

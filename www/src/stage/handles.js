@@ -7,7 +7,7 @@
  */
 import { attribute, find, h, svg, write } from "../dom.js";
 import { coordinate } from "../format.js";
-import { outline } from "../spline.js";
+import { ending, outline } from "../spline.js";
 import { curveName, pointName } from "../state/app.js";
 import { handleCount } from "../state/edits.js";
 import { includes, isWhole, middleOf, singlePoint, whole } from "../state/selection.js";
@@ -140,7 +140,7 @@ function createGroup(curve) {
       if (shape !== tracedCurve || key !== traced) {
         [tracedCurve, traced] = [shape, key];
         const chain = outline(shape).map(({ at }) => toScreen(view, size, at));
-        const d = `M${chain.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}Z`;
+        const d = `M${chain.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}${ending(shape)}`;
         hit.setAttribute("d", d);
         glow.setAttribute("d", d);
       }

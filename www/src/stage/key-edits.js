@@ -9,6 +9,7 @@
 import { newRun } from "../controls/run.js";
 import { fixed, percent } from "../format.js";
 import { curveName } from "../state/app.js";
+import { isOpen } from "../spline.js";
 import { afterKey, followed, insertKey, removeKey, shortWay, slideKey, wrapped } from "../state/composition.js";
 import { strings } from "../strings.js";
 
@@ -54,7 +55,8 @@ export function insert(app, curve, at) {
   const before = app.store.document;
   app.store.commit({ change: (document) => insertKey(document, curve, at) });
   const { document } = app.store;
-  const ways = document.curves[curve].composition.map((key) => Math.abs(shortWay(key.at, at)));
+  const shape = document.curves[curve];
+  const ways = shape.composition.map((key) => Math.abs(shortWay(key.at, at, isOpen(shape))));
   const key = { curve, index: ways.indexOf(Math.min(...ways)) };
   choose(app, key);
   if (document !== before) app.say(strings.composition.added(spokenKey(document, key)));
@@ -63,7 +65,7 @@ export function insert(app, curve, at) {
 
 /** Adds a key half-way to the next. @param {App} app @param {Key} key */
 export const insertAfter = (app, { curve, index }) =>
-  insert(app, curve, afterKey(app.store.document.curves[curve].composition, index));
+  insert(app, curve, afterKey(app.store.document.curves[curve].composition, index, isOpen(app.store.document.curves[curve])));
 
 /**
  * Removes a key; the last one of a curve stays.
@@ -148,7 +150,8 @@ function slideBy(app, event, key, sign) {
 export function dragKey(app, down, key, fractionAt) {
   const name = newRun("key drag");
   const composition = () => app.store.document.curves[key.curve].composition;
-  const grip = shortWay(fractionAt(down), composition()[key.index].at);
+  const open = isOpen(app.store.document.curves[key.curve]);
+  const grip = shortWay(fractionAt(down), composition()[key.index].at, open);
   const over = new AbortController();
   let held = key;
   let moved = false;
@@ -157,7 +160,7 @@ export function dragKey(app, down, key, fractionAt) {
     if (!moved && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < DEAD) return;
     moved = true;
     const from = composition()[held.index]?.at;
-    if (from !== undefined) held = slide(app, held, shortWay(from, wrapped(fractionAt(event) + grip)), name);
+    if (from !== undefined) held = slide(app, held, shortWay(from, wrapped(fractionAt(event) + grip, open), open), name);
   };
   /** @param {boolean} undo */
   const finish = (undo) => {

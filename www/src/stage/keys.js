@@ -8,7 +8,8 @@
  */
 import { attribute, find, h, svg } from "../dom.js";
 import { mixed } from "../oklab.js";
-import { nearestFraction, outline, placeOn, signedArea } from "../spline.js";
+import { ending, isOpen, nearestFraction, outline, placeOn, signedArea } from "../spline.js";
+import { sideOf } from "../state/open.js";
 import { curveName, pointName } from "../state/app.js";
 import { strings } from "../strings.js";
 import { toPlane, toScreen } from "../view.js";
@@ -126,7 +127,7 @@ function createGroup(app, curve, focus) {
       if (!drawn || !view) return;
       attribute(element, "aria-label", strings.composition.group(curveName(document, curve)));
       const chain = outline(drawn).map(({ at }) => toScreen(view, size, at));
-      const d = `M${chain.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}Z`;
+      const d = `M${chain.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}${ending(drawn)}`;
       attribute(hit, "d", d);
       attribute(glow, "d", d);
       grow(drawn.composition.length);
@@ -158,11 +159,13 @@ function leave(app) {
 }
 
 /**
- * Whether a curve is the smaller of two: its drops then point into the hole, away from the material.
+ * Whether the outward normals of a curve point into the material: it is the smaller of two, or an open one with the other to its right. Its drops
+ * point away from there.
  * @param {Curve[]} curves
  * @param {number} index
  */
 function isInside(curves, index) {
+  if (isOpen(curves[index])) return sideOf(curves, index) > 0;
   const [area, other] = [index, 1 - index].map((i) => {
     const polygon = curves[i] ? outline(curves[i]).map(({ at }) => /** @type {Point} */ (at)) : [];
     return Math.abs(signedArea(polygon));

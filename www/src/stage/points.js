@@ -5,7 +5,7 @@
  * @import { Curve, CurvesDocument, Point } from "../types.js"
  */
 import { problem } from "../painter.js";
-import { nearestParameter } from "../spline.js";
+import { isOpen, nearestParameter } from "../spline.js";
 import { pointName } from "../state/app.js";
 import { canRemovePoints, handleCount, removePoints } from "../state/edits.js";
 import { only } from "../state/selection.js";
@@ -34,7 +34,7 @@ export async function insertAt(app, index, at) {
 }
 
 /**
- * Adds a control point between one and the next.
+ * Adds a control point between one and the next, before the last one of an open curve.
  * @param {App} app
  * @param {0 | 1} index
  * @param {number} point
@@ -42,7 +42,8 @@ export async function insertAt(app, index, at) {
 export function insertAfter(app, index, point) {
   const curve = app.store.document.curves[index];
   const a = /** @type {Point} */ (curve.points[point]);
-  const b = /** @type {Point} */ (curve.points[(point + 1) % curve.points.length]);
+  const last = point + 1 === curve.points.length;
+  const b = /** @type {Point} */ (curve.points[last ? (isOpen(curve) ? point - 1 : 0) : point + 1]);
   return insertAt(app, index, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
 }
 

@@ -6,7 +6,7 @@
  */
 import { attribute, find, h } from "../dom.js";
 import { fixed, length, percent, significantText } from "../format.js";
-import { nearestFraction, placeOn } from "../spline.js";
+import { isOpen, nearestFraction, placeOn } from "../spline.js";
 import { mixAt } from "../state/composition.js";
 import { curveName, currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
@@ -85,7 +85,7 @@ export function createProbe(app) {
         const inside = /** @type {Point} */ ([0, 1].map((axis) => place.at[axis] + by * place.normal[axis]));
         const found = await app.kernel.probe(document, inside, { signal });
         if (!found) continue;
-        const fractions = mixAt(shape.composition, fraction);
+        const fractions = mixAt(shape.composition, fraction, isOpen(shape));
         return { ...found, s: curve, at: place.at, fractions, boundary: { curve, at: fraction } };
       }
     }

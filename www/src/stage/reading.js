@@ -6,7 +6,8 @@
  */
 import { attribute, find, h, svg, write } from "../dom.js";
 import { fixed } from "../format.js";
-import { outline } from "../spline.js";
+import { isOpen, outline } from "../spline.js";
+import { joined } from "../state/open.js";
 import { strings } from "../strings.js";
 import { toPlane, toScreen } from "../view.js";
 
@@ -65,10 +66,10 @@ export function createReading(app) {
 function outsideBand(curves, view, size) {
   const all = `M-9-9H${size.width + 9}V${size.height + 9}H-9Z`;
   if (curves.length < 2) return all;
-  const rings = curves.map((curve) =>
-    outline(curve)
-      .map(({ at }) => toScreen(view, size, at).map((value) => value.toFixed(1)).join(" "))
-      .join("L"),
+  const chains = curves.map((curve) => outline(curve).map(({ at }) => at));
+  const loops = isOpen(curves[0]) ? [joined(chains[0], chains[1])] : chains;
+  const rings = loops.map((loop) =>
+    loop.map((at) => toScreen(view, size, at).map((value) => value.toFixed(1)).join(" ")).join("L"),
   );
   return all + rings.map((ring) => `M${ring}Z`).join("");
 }

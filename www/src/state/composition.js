@@ -1,9 +1,10 @@
 /**
- * Edits of the composition along a curve, as pure functions. Keys ascend in [0, 1), the curve closes on itself, and there is always
- * one.
+ * Edits of the composition along a curve, as pure functions. Keys ascend, in [0, 1) round a closed curve and in [0, 1] along an open one, and there
+ * is always one.
  *
  * @import { CompositionKey, CurvesDocument } from "../types.js"
  */
+import { isOpen } from "../spline.js";
 import { changeCurve } from "./edits.js";
 import { blended, written } from "./mix.js";
 
@@ -13,31 +14,37 @@ export const KEY_GAP = 1e-6;
 const DECIMALS = 6;
 
 /**
- * A place in [0, 1), past either end round the seam.
+ * A place in [0, 1), past either end round the seam; on an open curve in [0, 1], past either end at the end.
  * @param {number} at
+ * @param {boolean} [open]
  */
-export function wrapped(at) {
+export function wrapped(at, open = false) {
+  if (open) return Number(Math.min(1, Math.max(0, at)).toFixed(DECIMALS));
   const place = Number((at - Math.floor(at)).toFixed(DECIMALS));
   return place < 1 ? place : 0;
 }
 
 /**
- * The shorter way from one place to another round the curve, more than -1/2 and at most 1/2.
+ * The shorter way from one place to another round the curve, more than -1/2 and at most 1/2; the one way along an open curve.
  * @param {number} from
  * @param {number} to
+ * @param {boolean} [open]
  */
-export function shortWay(from, to) {
+export function shortWay(from, to, open = false) {
+  if (open) return to - from;
   const way = ahead(from, to);
   return way > 0.5 ? way - 1 : way;
 }
 
 /**
- * The mix at a place: linear between the keys, round the seam as well.
+ * The mix at a place: linear between the keys, round the seam as well; on an open curve constant beyond the keys.
  * @param {CompositionKey[]} keys
  * @param {number} at
+ * @param {boolean} [open]
  */
-export function mixAt(keys, at) {
+export function mixAt(keys, at, open = false) {
   const next = keys.findIndex((key) => key.at > at);
+  if (open && next <= 0) return [...keys[next < 0 ? keys.length - 1 : 0].mix];
   const to = keys[Math.max(0, next)];
   const from = keys[(next > 0 ? next : keys.length) - 1];
   const span = ahead(from.at, to.at);
@@ -58,7 +65,8 @@ export function slideKey(document, curve, index, by) {
     const keys = shape.composition;
     const key = keys[index];
     if (!key) return shape;
-    const to = wrapped(key.at + within(keys, index, by));
+    const open = isOpen(shape);
+    const to = wrapped(key.at + (open ? between(keys, index, by) : within(keys, index, by)), open);
     const others = keys.filter((_, i) => i !== index);
     if (to === key.at || others.some((other) => other.at === to)) return shape;
     return { ...shape, composition: sorted([...others, { ...key, at: to }]) };
@@ -100,9 +108,10 @@ export function keyWithin(key, document) {
 export function insertKey(document, curve, at) {
   return changeCurve(document, curve, (shape) => {
     const keys = shape.composition;
-    const place = wrapped(at);
-    if (keys.some((key) => Math.abs(shortWay(key.at, place)) < KEY_GAP)) return shape;
-    return { ...shape, composition: sorted([...keys, { at: place, mix: written(mixAt(keys, place)) }]) };
+    const open = isOpen(shape);
+    const place = wrapped(at, open);
+    if (keys.some((key) => Math.abs(shortWay(key.at, place, open)) < KEY_GAP)) return shape;
+    return { ...shape, composition: sorted([...keys, { at: place, mix: written(mixAt(keys, place, open)) }]) };
   });
 }
 
@@ -138,12 +147,14 @@ export function setMix(document, curve, index, mix) {
 }
 
 /**
- * The place half-way from a key to the next.
+ * The place half-way from a key to the next; from the last one of an open curve to the end, or back to the one before when it is there.
  * @param {CompositionKey[]} keys
  * @param {number} index
+ * @param {boolean} [open]
  */
-export function afterKey(keys, index) {
+export function afterKey(keys, index, open = false) {
   const { at } = keys[index];
+  if (open) return wrapped((at + (keys[index + 1]?.at ?? (at < 1 ? 1 : (keys[index - 1]?.at ?? 0)))) / 2, true);
   return wrapped(at + (ahead(at, keys[(index + 1) % keys.length].at) || 1) / 2);
 }
 
@@ -159,6 +170,19 @@ function within(keys, index, by) {
   const farthest = ahead(at, keys[(index + 1) % keys.length].at) - KEY_GAP;
   const nearest = KEY_GAP - ahead(keys[(index + keys.length - 1) % keys.length].at, at);
   return farthest < 0 || nearest > 0 ? 0 : Math.min(farthest, Math.max(nearest, by));
+}
+
+/**
+ * As `within`, along an open curve.
+ * @param {CompositionKey[]} keys
+ * @param {number} index
+ * @param {number} by
+ */
+function between(keys, index, by) {
+  const { at } = keys[index];
+  const farthest = Math.max(0, (keys[index + 1] ? keys[index + 1].at - KEY_GAP : 1) - at);
+  const nearest = Math.min(0, (keys[index - 1] ? keys[index - 1].at + KEY_GAP : 0) - at);
+  return Math.min(farthest, Math.max(nearest, by));
 }
 
 /**

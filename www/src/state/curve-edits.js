@@ -3,7 +3,7 @@
  *
  * @import { CompositionKey, Curve, CurvesDocument, Point, Shape } from "../types.js"
  */
-import { unrolled } from "../spline.js";
+import { isOpen, unrolled } from "../spline.js";
 import { changeCurve, handleCount, placePoints, tidy } from "./edits.js";
 import { nesting } from "./nest.js";
 
@@ -87,7 +87,7 @@ export function reverseCurve(document, index) {
   return changeCurve(document, index, (curve) => {
     const points = curve.points.map((_, i) => curve.points[reversedPoint(curve, i)]);
     const composition = curve.composition
-      .map(({ at, mix }) => /** @type {CompositionKey} */ ({ at: at === 0 ? 0 : tidy(1 - at), mix }))
+      .map(({ at, mix }) => /** @type {CompositionKey} */ ({ at: at === 0 && !isOpen(curve) ? 0 : tidy(1 - at), mix }))
       .sort((a, b) => a.at - b.at);
     if (!curve.knots) return { ...curve, points, composition };
     const first = curve.knots[0];
@@ -103,12 +103,12 @@ export function reverseCurve(document, index) {
  */
 export function reversedPoint(curve, point) {
   const n = curve.points.length;
-  return curve.form === "clamped" ? n - 1 - point : (curve.degree - 1 - point + n) % n;
+  return curve.form !== "periodic" ? n - 1 - point : (curve.degree - 1 - point + n) % n;
 }
 
 /**
  * A copy of a curve that nests with it: larger round it or, where only a far larger one would clear it, smaller
- * inside. It comes second, or in place of the other curve, on whose side of the original it then lies.
+ * inside; of an open curve one beside it. It comes second, or in place of the other curve, on whose side of the original it then lies.
  * @param {CurvesDocument} document
  * @param {0 | 1} index
  * @returns {CurvesDocument}
@@ -116,6 +116,7 @@ export function reversedPoint(curve, point) {
 export function duplicateCurve(document, index) {
   const curve = document.curves[index];
   if (!curve) return document;
+  if (isOpen(curve)) return putBeside(document, index, curve);
   const { center, scale } = nesting(curve);
   const other = document.curves[1 - index];
   const outside = other ? extent(other) > extent(curve) : scale > 0.35;
@@ -124,6 +125,20 @@ export function duplicateCurve(document, index) {
   const { degree, form, knots } = curve;
   const target = other ? 1 - index : document.curves.length;
   return putShape(document, target, { degree, form, points, ...(knots ? { knots: [...knots] } : {}) });
+}
+
+/**
+ * A copy of an open curve on its left, a quarter of the way from end to end away.
+ * @param {CurvesDocument} document
+ * @param {0 | 1} index
+ * @param {Curve} curve
+ * @returns {CurvesDocument}
+ */
+function putBeside(document, index, { degree, form, points, knots }) {
+  const [[ax, ay], [bx, by]] = [points[0], points[points.length - 1]];
+  const moved = points.map(([x, y]) => /** @type {Point} */ ([tidy(x - (by - ay) / 4), tidy(y + (bx - ax) / 4)]));
+  const target = document.curves[1 - index] ? 1 - index : document.curves.length;
+  return putShape(document, target, { degree, form, points: moved, ...(knots ? { knots: [...knots] } : {}) });
 }
 
 /** @param {Curve} curve */
@@ -156,12 +171,12 @@ function withKnot(curve, point) {
   const { knots } = unrolled(curve);
   const { degree: p, form } = curve;
   const n = curve.points.length;
-  const spans = form === "clamped" ? knots.slice(p, n + 1) : knots.slice(p, n + p + 1);
+  const spans = form !== "periodic" ? knots.slice(p, n + 1) : knots.slice(p, n + p + 1);
   let middle = 0;
   for (let i = 1; i <= p; i += 1) middle += knots[point + i] / p;
   const first = spans[0];
   const period = spans[spans.length - 1] - first;
-  const wrapped = form === "clamped" ? middle : first + ((((middle - first) % period) + period) % period);
+  const wrapped = form !== "periodic" ? middle : first + ((((middle - first) % period) + period) % period);
   const nearest = (/** @type {number} */ i) => Math.abs((spans[i] + spans[i + 1]) / 2 - wrapped);
   let best = -1;
   for (let i = 0; i + 1 < spans.length; i += 1) {
@@ -169,7 +184,7 @@ function withKnot(curve, point) {
   }
   const knot = (spans[best] + spans[best + 1]) / 2;
   const longer = spans.toSpliced(best + 1, 0, knot);
-  return form === "clamped" ? [...knots.slice(0, p), ...longer, ...knots.slice(n + 1)] : longer;
+  return form !== "periodic" ? [...knots.slice(0, p), ...longer, ...knots.slice(n + 1)] : longer;
 }
 
 /**

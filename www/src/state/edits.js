@@ -14,7 +14,7 @@ export function handleCount(curve) {
 }
 
 /**
- * Whether control points can go: a closed curve of degree p keeps at least p + 1, and three handles.
+ * Whether control points can go: a curve of degree p keeps at least p + 1, and three handles.
  * @param {Curve} curve
  * @param {number} [count]
  */

@@ -74,7 +74,7 @@ export function solveCyclic(rows, right) {
  * @param {readonly [number, number, number][]} rows
  * @param {readonly number[]} right
  */
-function solveTridiagonal(rows, right) {
+export function solveTridiagonal(rows, right) {
   const n = rows.length;
   /** @type {number[]} */
   const high = [];

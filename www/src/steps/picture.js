@@ -22,7 +22,8 @@
  */
 import { describe } from "../../../js/sentence.js";
 import { attribute, svg, write } from "../dom.js";
-import { outline, signedArea } from "../spline.js";
+import { ending, isOpen, outline, signedArea } from "../spline.js";
+import { joined, sideOf } from "../state/open.js";
 import { toScreen } from "../view.js";
 import { vertexName } from "./film.js";
 import { words } from "./words.js";
@@ -79,7 +80,7 @@ export function createPicture() {
     /** The curves alone. @param {CurvesDocument} document @param {View} view @param {Size} size */
     outlines(document, view, size) {
       this.clear();
-      const d = document.curves.map((curve) => closed(polyline(curve).map((point) => toScreen(view, size, point)))).join("");
+      const d = document.curves.map((curve) => drawn(curve, polyline(curve).map((point) => toScreen(view, size, point)))).join("");
       attribute(layers.curves, "d", d);
     },
     /** @param {Shown} shown */
@@ -90,8 +91,9 @@ export function createPicture() {
       const lines = (/** @type {Line[]} */ all) => all.map(({ ends: [p, q] }) => segment(at(p), at(q))).join("");
       const put = (/** @type {keyof typeof layers} */ name, /** @type {string} */ d) => attribute(layers[name], "d", d);
 
-      const outlines = document.curves.map((curve) => closed(polyline(curve).map(at))).join("");
-      put("band", outlines);
+      const outlines = document.curves.map((curve) => drawn(curve, polyline(curve).map(at))).join("");
+      const [first, second] = document.curves;
+      put("band", isOpen(first) && second ? `${way(joined(polyline(first), polyline(second)).map(at))}Z` : outlines);
       put("curves", outlines);
       const redundant = new Set(scene.redundant);
       put("accepted", lines(scene.lines.filter((line) => !redundant.has(line))));
@@ -151,11 +153,13 @@ export function createPicture() {
 const isEnd = (line, curve, vertex) => line !== null && (curve === 0 ? line.from : line.to) === vertex;
 
 /**
- * The side of a curve that lies away from the other one: 1 outside, -1 inside.
+ * The side of a curve that lies away from the other one: 1 outside, or to the right of an open curve, -1 inside.
+ * @param {Steps} steps
  * @param {CurvesDocument} document
  * @param {number} curve
  */
-function awaySide({ curves }, curve) {
+function awaySide({ reversed }, { curves }, curve) {
+  if (isOpen(curves[curve])) return reversed[curve] ? sideOf(curves, curve) : -sideOf(curves, curve);
   const [own, other] = [curve, 1 - curve].map((k) => Math.abs(signedArea(curves[k]?.points ?? [])));
   return (own ?? 0) >= (other ?? 0) ? 1 : -1;
 }
@@ -171,12 +175,12 @@ function awaySide({ curves }, curve) {
 function arc(steps, document, curve, valid, at) {
   const samples = steps.samples[curve];
   if (!samples || valid.length === 0) return "";
-  const side = awaySide(document, curve) * ARC;
+  const side = awaySide(steps, document, curve) * ARC;
   const points = valid.map((vertex) => beside(at(samples.points[vertex] ?? [0, 0]), samples.normals[vertex] ?? [0, 0], side));
   const [first] = points;
   if (!first) return "";
   if (points.length === 1) return dot(first);
-  return smooth(points, valid.length >= samples.points.length);
+  return smooth(points, !isOpen(document.curves[curve]) && valid.length >= samples.points.length);
 }
 
 /**
@@ -195,9 +199,10 @@ const beside = (point, normal, by) => [point[0] + by * normal[0], point[1] - by 
  * @param {(point: Point) => Point} at
  * @param {number} by CSS pixels from the vertex
  */
-function nameOf({ samples }, document, { curve, vertex }, at, by) {
+function nameOf(steps, document, { curve, vertex }, at, by) {
+  const { samples } = steps;
   const normal = samples[curve]?.normals[vertex] ?? [0, 0];
-  const side = awaySide(document, curve);
+  const side = awaySide(steps, document, curve);
   const [x, y] = beside(at(samples[curve]?.points[vertex] ?? [0, 0]), normal, side * by);
   const aside = side * normal[0];
   const anchor = aside > ASIDE ? "start" : aside < -ASIDE ? "end" : "middle";
@@ -217,7 +222,10 @@ const dot = (point) => `M${written(point)}h.01`;
 const circle = ([x, y], radius) => `M${written([x - radius, y])}a${radius} ${radius} 0 1 0 ${2 * radius} 0a${radius} ${radius} 0 1 0 ${-2 * radius} 0`;
 
 /** @param {Point[]} points */
-const closed = (points) => `M${points.map(written).join("L")}Z`;
+const way = (points) => `M${points.map(written).join("L")}`;
+
+/** @param {Curve} curve @param {Point[]} points */
+const drawn = (curve, points) => way(points) + ending(curve);
 
 /**
  * A smooth line through points (Catmull and Rom's).
