@@ -14,5 +14,8 @@ export const pkg = resolve(root, "js/pkg");
 /** The built page. */
 export const dist = resolve(root, "dist");
 
+/** The built documentation. */
+export const documentationSite = resolve(root, "dist-docs");
+
 /** What the scripts remember between two runs, and their half-made files. */
 export const work = resolve(root, ".build");

@@ -2,6 +2,7 @@
 import { readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { findBrowser } from "./browser.mjs";
+import { documentation, tested } from "./documentation.mjs";
 import { modules, modulesReady, wasmLane } from "./modules.mjs";
 import { root } from "./paths.mjs";
 import { CommandError, ask, run } from "./run.mjs";
@@ -92,8 +93,9 @@ export const suites = [
     run: (log) => run(process.execPath, [join(root, "node_modules/typescript/bin/tsc"), "-p", "jsconfig.json"], { log }),
   },
   node({ name: "Node tests", needs: ["packages", ...modulesReady] }, "tests/node"),
+  documentation(tested),
   // After what the host compiles: a page on a machine that is busy otherwise shows things later than its tests look.
-  node({ name: "browser tests", lane: host, needs: ["page", "browser"] }, "tests/browser", async () => ({
+  node({ name: "browser tests", lane: host, needs: ["page", documentation(tested).name, "browser"] }, "tests/browser", async () => ({
     CHROME_PATH: (await findBrowser()) ?? "",
   })),
 ];

@@ -38,12 +38,12 @@ test("a curve is left open while it is drawn, and the second one follows", async
   const half = async (/** @type {number} */ radius) => (await round(page, radius, 10)).slice(0, 5);
   for (const [x, y] of await half(220)) await page.mouse.click(x, y);
   await page.locator("[data-draw=leave]").click();
-  await eventually(async () => assert.deepEqual((await documentOf(page)).curves.map(({ form }) => form), ["open"]));
+  await eventually(async () => assert.deepEqual((await documentOf(page)).curves.map((/** @type {any} */ curve) => curve.form), ["open"]));
   await page.locator("[data-command=draw]").click();
   await page.locator("[data-hint]").waitFor();
   assert.equal(await page.locator("[data-draw=leave]").count(), 0, "beside an open curve there is no choice");
   for (const [x, y] of await half(120)) await page.mouse.click(x, y);
   await page.keyboard.press("Enter");
-  await eventually(async () => assert.deepEqual((await documentOf(page)).curves.map(({ form }) => form), ["open", "open"]));
+  await eventually(async () => assert.deepEqual((await documentOf(page)).curves.map((/** @type {any} */ curve) => curve.form), ["open", "open"]));
   await eventually(async () => assert.match(await status(page), /Verified/));
 });
