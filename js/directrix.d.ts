@@ -451,6 +451,35 @@ export interface FittedCurve {
   trimmed: number;
 }
 
+export interface MorphPathsOptions {
+  /**
+   * Largest distance of either path from its curve, at places that the matching joins; 1e-9 to 1 times the diagonal of the box of both
+   * curves. Default: 1e-4 times it.
+   */
+  tolerance?: number;
+}
+
+/**
+ * The two matched curves as SVG paths with the same commands, y down: `M`, then cubics `C`, then `Z` where they are closed. Blending the numbers of both evenly
+ * gives the in-between curves.
+ */
+export interface MorphPaths {
+  /** The first curve. */
+  from: string;
+  /** The second curve. */
+  to: string;
+  /** Number of cubics of either path. */
+  commands: number;
+  /** Whether the curves are closed. */
+  closed: boolean;
+  /** Bound of the distance of either path from its curve, and of an even blend from the in-between curve. */
+  error: number;
+  /** x, y, width and height of a box with y down that holds both. */
+  viewBox: [number, number, number, number];
+  /** Of each curve, of each command, the fraction of each material in its middle. */
+  fractions: [number[][], number[][]];
+}
+
 /** The functions of a module. All throw `DirectrixError`. */
 export interface Directrix {
   match(document: DocumentInput, options?: MatchOptions): Match;
@@ -473,6 +502,10 @@ export interface Directrix {
   readShapes(text: string, options?: { format?: "svg" | "points" | "auto" }): ShapeList;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   fitCurve(points: Point[], options: FitOptions): FittedCurve;
+  /**
+   * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
+   */
+  morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
   /** With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for. */
   job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions; greedy?: boolean }): Job;
 }

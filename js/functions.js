@@ -15,4 +15,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "explain",
   "readShapes",
   "fitCurve",
+  "morphPaths",
 ]);

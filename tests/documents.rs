@@ -9,6 +9,7 @@ use directrix::document::{
     Code, Diagnostic, DocumentError, Outcome, Solution, Solve, insert_point, read_text, write_text,
 };
 use directrix::matching::blocking_edge;
+use directrix::material::Color;
 use directrix::morph::Band;
 use directrix::picture::{Item, PictureOptions, figure, paint, to_svg};
 use glam::{DVec2, dvec2};
@@ -228,6 +229,51 @@ fn lines_inside_the_band_show_without_its_colours() {
             let changed = bare.iter().zip(&lines).filter(|pair| strong(*pair)).count();
             assert!(changed > 2000, "{theme}, {layer}: {changed} levels changed");
         }
+    }
+}
+
+/// Where the band does not show the material, the current in-between curve wears it: one colour on rings of one material each, as many as
+/// the composition takes along a curve whose material varies.
+#[test]
+fn the_current_in_between_wears_its_materials_on_the_bare_canvas() {
+    let strokes = |document: &Value, layers: &str, s: f64| -> Vec<(f32, Color, Vec<DVec2>)> {
+        let solution = matched(document).expect("a valid document");
+        let options = format!(r#"{{"width": 300, "height": 240, "s": {s}, "layers": [{layers}]}}"#);
+        let options = PictureOptions::read(&Json::parse(&options).expect("JSON")).expect("valid options");
+        let viewport = options.viewport(&solution.model);
+        let list = figure(&solution, &options.figure(&solution.model), &viewport);
+        let current = list.layers.iter().filter(|layer| layer.name == "current");
+        current
+            .flat_map(|layer| &layer.items)
+            .map(|item| match item {
+                Item::Stroke { path, style } => (style.width_px, style.color, path.rings.concat()),
+                _ => panic!("lines are strokes"),
+            })
+            .collect()
+    };
+    let plain = rings();
+    let [halo, line] = &strokes(&plain, "\"material\"", 0.5)[..] else { panic!("two lines on the band") };
+    assert!(halo.0 > line.0 && line.0 < 2.0);
+    // The default materials, mixed in Oklab by the share of the way.
+    let [yellow, green] = [Color::new(0xf0, 0xe4, 0x42), Color::new(0x00, 0x9e, 0x73)].map(Color::to_oklab);
+    for s in [0.0, 0.25, 1.0] {
+        let [casing, worn] = &strokes(&plain, "\"grid\"", s)[..] else { panic!("one colour") };
+        assert!(casing.0 > worn.0);
+        assert_eq!(worn.1, yellow.lerp(green, s as f32).to_color());
+        let (first, last) = (worn.2[0], worn.2[worn.2.len() - 1]);
+        assert!(first.distance(last) < 1e-12, "it goes all round");
+    }
+    let mut varied = rings();
+    varied["curves"][1]["composition"] = json!([{"at": 0, "mix": [1, 0]}, {"at": 0.5, "mix": [0, 1]}]);
+    let worn = strokes(&varied, "\"grid\"", 1.0);
+    assert!(worn.len() > 40, "{} strokes", worn.len());
+    let start = |stroke: &(f32, Color, Vec<DVec2>)| stroke.2[0];
+    for pair in worn[1..].windows(2) {
+        assert!(
+            pair[0].2[pair[0].2.len() - 1].distance(start(&pair[1])) < 1e-12,
+            "each goes on from the one before"
+        );
+        assert_ne!(pair[0].1, pair[1].1);
     }
 }
 

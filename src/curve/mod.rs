@@ -21,6 +21,8 @@ mod knots;
 mod meeting;
 mod nearest;
 mod sample;
+#[cfg(feature = "paths")]
+mod stretch;
 
 pub use adaptive::{Fineness, sample_adaptively};
 pub use arc_length::ArcLength;

@@ -14,6 +14,8 @@ mod json;
 mod memory;
 mod model;
 mod node;
+#[cfg(feature = "paths")]
+mod paths;
 mod read;
 mod schema;
 mod solve;
@@ -28,6 +30,8 @@ pub use json::Json;
 pub use memory::Memory;
 pub use model::Model;
 pub(crate) use node::Node;
+#[cfg(feature = "paths")]
+pub use paths::{PathOptions, paths};
 pub use read::{LONGEST_TEXT, check_length, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub use read::{read_text, write_text};

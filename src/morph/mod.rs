@@ -4,8 +4,12 @@ mod band;
 mod cell;
 mod iso;
 mod locate;
+#[cfg(feature = "paths")]
+mod paths;
 
 pub use band::{Band, Ruling};
 pub use cell::{UnitCell, unit_cells};
 pub use iso::IsoLine;
 pub use locate::Place;
+#[cfg(feature = "paths")]
+pub use paths::{PathError, PathPair, SMALLEST_TOLERANCE, path_pair};

@@ -34,6 +34,8 @@ const NORMAL_LENGTH: f64 = 14.0;
 /// Radius of the ring round a vertex without a line, and size of the cross at a witness, in CSS pixels.
 const RING_RADIUS: f32 = 5.0;
 const CROSS_SIZE: f32 = 11.0;
+/// Width of the current in-between curve where it wears its materials, in CSS pixels.
+const WORN_WIDTH: f32 = 5.0;
 /// Distance on the curves from one ruling of a hatched band to the next, in CSS pixels, and the change of a fraction that no two pass over.
 const RULING_STEP: f64 = 12.0;
 const MIX_STEP: f64 = 0.1;
@@ -71,8 +73,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         drawing.lines(problem, lines);
     }
     if let (Some(band), Some(s)) = (band, options.s) {
-        let path = Path { rings: vec![band.in_between(s)], closed: band.is_closed() };
-        drawing.cased("current", path, theme.current);
+        drawing.current(band, s);
     }
     drawing.boundaries();
     drawing.samples();
@@ -158,13 +159,17 @@ impl Drawing<'_> {
         }
     }
 
+    /// Display colours of the materials.
+    fn colors(&self) -> Vec<Oklab> {
+        self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect()
+    }
+
     fn material(&mut self, band: &Band) {
         if self.options.patterns {
             self.patterns(band);
             return;
         }
-        let colors: Vec<Oklab> =
-            self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect();
+        let colors = self.colors();
         let mesh = if self.shows(LayerName::UnitCells) {
             flat_cells(band, self.solution.model.document().segments(), &colors)
         } else if self.shows(LayerName::Material) {
@@ -202,6 +207,41 @@ impl Drawing<'_> {
             let rings = (1..segments).map(|j| band.in_between(j as f64 / segments as f64)).collect();
             let path = Path { rings, closed: band.is_closed() };
             self.stroke("in-betweens", path, self.inside(self.theme.in_between));
+        }
+    }
+
+    /// The current in-between curve. On the bare canvas, where no band shows the material, it wears that of its own points.
+    fn current(&mut self, band: &Band, s: f64) {
+        let mut line = band.in_between(s);
+        let is_shown = self.shows(LayerName::Material) || self.shows(LayerName::UnitCells);
+        if is_shown || self.options.patterns {
+            self.cased("current", Path { rings: vec![line], closed: band.is_closed() }, self.theme.current);
+            return;
+        }
+        let casing = StrokeStyle { width_px: WORN_WIDTH + 2.0, ..self.theme.boundary };
+        self.stroke("current", Path { rings: vec![line.clone()], closed: band.is_closed() }, casing);
+        let materials = self.colors();
+        let shades: Vec<Oklab> = band
+            .rulings()
+            .iter()
+            .map(|ruling| {
+                let [near, far] = end_colors(ruling, &materials);
+                near.lerp(far, s as f32)
+            })
+            .collect();
+        let count = line.len();
+        // The number of the last point; that of a closed line is the first again.
+        let last = if band.is_closed() { count } else { count - 1 };
+        line.push(line[0]);
+        let (mut start, mut worn) = (0, None);
+        for k in 0..=last {
+            let next = shades[k % count].lerp(shades[(k + 1) % count], 0.5).to_color();
+            if let Some(color) = worn.filter(|&color| color != next || k == last) {
+                let style = StrokeStyle::solid(WORN_WIDTH, color, 1.0);
+                self.stroke("current", Path::open(line[start..=k].to_vec()), style);
+                start = k;
+            }
+            worn = Some(next);
         }
     }
 
@@ -314,6 +354,11 @@ impl Drawing<'_> {
     }
 }
 
+/// The colours at both ends of a ruling.
+fn end_colors(ruling: &Ruling, colors: &[Oklab]) -> [Oklab; 2] {
+    ruling.ends.each_ref().map(|end| mix_colors(colors, end))
+}
+
 /// The band as a strip of triangles, with the colour of the composition at every end of a ruling.
 ///
 /// Every second ruling serves where there are many: the colour is hardly bent, and the outline cuts the strip to the curves.
@@ -322,7 +367,7 @@ fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
     let mut mesh = Mesh::default();
     for ruling in band.rulings().iter().step_by(stride) {
         mesh.vertices.extend([ruling.from, ruling.to]);
-        mesh.colors.extend(ruling.ends.each_ref().map(|end| mix_colors(colors, end)));
+        mesh.colors.extend(end_colors(ruling, colors));
     }
     let count = mesh.vertices.len() as u32;
     let end = if band.is_closed() { count } else { count.saturating_sub(2) };

@@ -11,6 +11,8 @@ mod explain;
 mod import;
 mod json;
 mod painting;
+#[cfg(feature = "paths")]
+mod paths;
 mod results;
 #[cfg(feature = "svg")]
 mod svg;

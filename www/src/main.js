@@ -120,6 +120,7 @@ function assemble(kernel, store, restored, kept) {
     key: null,
     s: 0.4,
     playing: false,
+    motion: { seconds: 4, easing: "ease", repeat: "swing" },
     unkept: false,
     theme: currentTheme(),
     probe: null,

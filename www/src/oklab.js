@@ -8,13 +8,22 @@
  * @param {number[]} fractions
  */
 export function mixed(colors, fractions) {
+  const [l = 0, a = 0, b = 0] = mean(colors, fractions);
+  return `oklab(${l.toFixed(4)} ${a.toFixed(4)} ${b.toFixed(4)})`;
+}
+
+/**
+ * The mean in Oklab.
+ * @param {string[]} colors `#rrggbb`
+ * @param {number[]} fractions
+ */
+export function mean(colors, fractions) {
   const sum = [0, 0, 0];
   fractions.forEach((fraction, i) => {
     const lab = oklab(colors[i] ?? "#000000");
     for (let k = 0; k < 3; k += 1) sum[k] = /** @type {number} */ (sum[k]) + fraction * /** @type {number} */ (lab[k]);
   });
-  const [l = 0, a = 0, b = 0] = sum;
-  return `oklab(${l.toFixed(4)} ${a.toFixed(4)} ${b.toFixed(4)})`;
+  return sum;
 }
 
 /**

@@ -216,6 +216,7 @@ export const strings = {
   exports: {
     heading: "Export",
     format: "Format",
+    morph: "Morph",
     scale: "Scale",
     size: "Size in pixels",
     width: "Width",

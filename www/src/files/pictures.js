@@ -29,22 +29,41 @@ export function scaledSize({ width, height }, scale) {
 }
 
 /**
- * PNG of what the figure shows. Where the shape of the picture is another, more of the plane is seen beside it.
+ * What the kernel paints for a picture of what the figure shows. Where the shape of the picture is another, more of the plane is seen
+ * beside it.
  * @param {App} app
  * @param {Size & Appearance} wanted in pixels
- * @returns {Promise<Blob>}
+ * @returns {PaintOptions}
  */
-export async function pngOf(app, { width, height, ...appearance }) {
+export function paintOptions(app, { width, height, ...appearance }) {
   const { size, view } = app.ui.value;
   const magnified = Math.min(width / size.width, height / size.height);
   const pixelRatio = Math.min(WIDEST, Math.max(FINEST, magnified));
-  const picture = await app.kernel.paint(app.store.document, {
+  return {
     ...options(app, appearance),
     ...(view ? { view: { center: view.center, scale: (view.scale * magnified) / pixelRatio } } : {}),
     width,
     height,
     pixelRatio,
-  });
+  };
+}
+
+/**
+ * PNG of what the figure shows.
+ * @param {App} app
+ * @param {Size & Appearance} wanted in pixels
+ * @returns {Promise<Blob>}
+ */
+export async function pngOf(app, wanted) {
+  return blobOf(await app.kernel.paint(app.store.document, paintOptions(app, wanted)));
+}
+
+/**
+ * PNG of painted pixels.
+ * @param {import("../types.js").Picture} picture
+ * @returns {Promise<Blob>}
+ */
+export function blobOf(picture) {
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);
   return canvas.convertToBlob({ type: "image/png" });
@@ -54,11 +73,12 @@ export async function pngOf(app, { width, height, ...appearance }) {
  * SVG of what the figure shows, one unit for each pixel of the screen.
  * @param {App} app
  * @param {Appearance} appearance
+ * @param {{s?: null}} [place] `s: null` leaves the current in-between out
  * @returns {Promise<string>}
  */
-export function svgOf(app, appearance) {
+export function svgOf(app, appearance, place = {}) {
   const { width, height } = app.ui.value.size;
-  return app.kernel.svg(app.store.document, { ...options(app, appearance), width, height });
+  return app.kernel.svg(app.store.document, { ...options(app, appearance), ...place, width, height });
 }
 
 /**

@@ -26,22 +26,28 @@ const SCALES = /** @type {const} */ (["1", "2", "4"]);
 /** The scale a picture has until another is chosen: sharp in a text and on a slide. */
 const FIRST_SCALE = "2";
 
-/** What was chosen last, for as long as the page is open. @type {{format: Format, table: Table, transparent: boolean}} */
-const last = { format: "png", table: "lines", transparent: false };
+/**
+ * What was chosen last, for as long as the page is open; `morph`: whether that was the morph.
+ * @type {{format: Format, table: Table, transparent: boolean, morph: boolean}}
+ */
+const last = { format: "png", table: "lines", transparent: false, morph: false };
 
 /** @param {App} app */
 export function showExport(app) {
   const { size } = app.ui.value;
   /** @type {Wanted} */
-  const wanted = { ...last, theme: app.ui.value.theme, ...scaledSize(size, Number(FIRST_SCALE)) };
+  const wanted = { format: last.format, table: last.table, transparent: last.transparent, theme: app.ui.value.theme, ...scaledSize(size, Number(FIRST_SCALE)) };
 
   const format = segment(
     {
       label: words.format,
       name: "export-format",
-      choices: /** @type {const} */ (["png", "svg", "csv", "json"]).map((value) => ({ value, text: value.toUpperCase() })),
+      choices: /** @type {const} */ (["png", "svg", "csv", "json", "morph"]).map((value) => ({
+        value,
+        text: value === "morph" ? words.morph : value.toUpperCase(),
+      })),
     },
-    (value) => change({ format: value }),
+    (value) => (value === "morph" ? void showMorph() : change({ format: value })),
   );
   const scale = segment(
     { label: words.scale, name: "export-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) },
@@ -105,8 +111,23 @@ export function showExport(app) {
     return words.copied;
   });
 
+  /** The export of the morph, which stands in for the rest. @type {import("../morph/export-section.js").Section | null} */
+  let morph = null;
+
+  async function showMorph() {
+    const { createMorphExport } = await import("../morph/export-section.js");
+    if (!place.isConnected) return;
+    morph ??= createMorphExport(app);
+    place.replaceChildren(morph.element);
+    still.hidden = true;
+    last.morph = true;
+  }
+
   /** @param {Partial<Wanted>} patch */
   function change(patch) {
+    place.replaceChildren();
+    still.hidden = false;
+    last.morph = false;
     Object.assign(wanted, patch);
     Object.assign(last, { format: wanted.format, table: wanted.table, transparent: wanted.transparent });
     tell(null);
@@ -153,16 +174,26 @@ export function showExport(app) {
     for (const each of buttons) each.removeAttribute("aria-disabled");
   }
 
+  const still = h(
+    "div",
+    {},
+    h("div", { class: "export" }, ...Object.values(rows), note),
+    h("div", { class: "export-acts" }, save, copy),
+    message,
+  );
+  const place = h("div", {});
   render();
   const panel = openPanel({
     name: "export",
     heading: words.heading,
-    body: [
-      h("div", { class: "export" }, row(words.format, format), ...Object.values(rows), note),
-      h("div", { class: "export-acts" }, save, copy),
-      message,
-    ],
+    body: [row(words.format, format), still, place],
+    onclose: () => morph?.close(),
   });
+  if (panel && last.morph) {
+    format.set("morph");
+    void showMorph();
+    return;
+  }
   // Enter once more downloads; on a phone the choices above would leave the screen.
   if (panel && !matchMedia("(width < 600px)").matches) save.focus();
 }

@@ -1,5 +1,5 @@
 /**
- * Blend: how many stages lie between the curves, and whether they have names.
+ * Blend: how many stages lie between the curves, whether they have names, and how the morph moves.
  *
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
@@ -7,6 +7,7 @@
 import { checkBox } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { h } from "../dom.js";
+import { later } from "../later.js";
 import { patch } from "../state/edits.js";
 import { strings } from "../strings.js";
 import { editing } from "./edit.js";
@@ -29,14 +30,24 @@ export function blendGroup(app) {
     ),
   );
   const names = checkBox({ name: "stage-labels", text: [words.names] }, (on) => app.ui.set({ stageLabels: on }));
+  const body = h("div", {}, row(words.stages, ...stages.controls), row("", names));
+  const motion = later(app, () => true, async () => {
+    const { motionRows } = await import("../morph/motion-rows.js");
+    return () => {
+      const rows = motionRows(app, "blend");
+      body.append(rows.element);
+      return rows;
+    };
+  });
   return {
     name: "blend",
     heading: words.heading,
-    body: h("div", {}, row(words.stages, ...stages.controls), row("", names)),
+    body,
     phrase: () => words.phrase(app.store.document.blend.stages),
     render() {
       stages.set(app.store.document.blend.stages);
       names.set(app.ui.value.stageLabels);
+      motion.render();
     },
   };
 }

@@ -12,8 +12,6 @@ import { icon, symbol } from "../icons.js";
 import { curveName } from "../state/app.js";
 import { strings } from "../strings.js";
 
-/** Milliseconds from one curve to the other. */
-const SWEEP = 4000;
 /** Stages past which ticks would run into each other. */
 const TICKS = 40;
 const STEP = 0.01;
@@ -44,27 +42,8 @@ export function createMorph(app) {
   );
   find("#morph-controls").append(play, first, control.element, last, reading);
 
-  let direction = 1;
-  let before = 0;
   let drawnTicks = -1;
   let face = "";
-
-  /** @param {number} now */
-  function frame(now) {
-    const { playing, s } = app.ui.value;
-    if (!playing) return;
-    if (app.store.document.curves.length < 2) {
-      app.ui.set({ playing: false });
-      return;
-    }
-    const elapsed = Math.min(100, now - before);
-    before = now;
-    let next = s + (direction * elapsed) / SWEEP;
-    if (next >= 1) [next, direction] = [1, -1];
-    if (next <= 0) [next, direction] = [0, 1];
-    app.ui.set({ s: next });
-    requestAnimationFrame(frame);
-  }
 
   function toggle() {
     const { playing, s } = app.ui.value;
@@ -81,9 +60,7 @@ export function createMorph(app) {
       return;
     }
     app.ui.set({ playing: !playing });
-    if (playing) return;
-    before = performance.now();
-    requestAnimationFrame(frame);
+    if (!playing) void import("../morph/player.js").then(({ play }) => play(app));
   }
   play.addEventListener("click", toggle);
 

@@ -25,6 +25,7 @@
  * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
+ * @property {import("../morph/motion.js").Motion} motion how the place moves when it plays
  * @property {boolean} unkept the browser's storage did not take the document
  * @property {"light" | "dark"} theme
  * @property {Reading | null} probe
