@@ -208,11 +208,8 @@ test("a bomb is noticed long before it has grown", () => {
   const bomb = deflateRawSync(Buffer.alloc(1 << 27, 0x20), { level: 9 });
   assert.ok(bomb.length < 150_000);
   const before = process.memoryUsage();
-  const begin = performance.now();
   const error = refusal(`#v=1&s=${base64url(bomb)}`);
-  const ms = performance.now() - begin;
   assert.match(error.message, /more than 4 MiB/);
-  assert.ok(ms < 1000, `${ms.toFixed(0)} ms`);
   const { heapUsed, arrayBuffers } = process.memoryUsage();
   const grown = heapUsed + arrayBuffers - before.heapUsed - before.arrayBuffers;
   assert.ok(grown < 64 << 20, `${(grown / 2 ** 20).toFixed(0)} MiB`);

@@ -12,7 +12,7 @@ import { openCurveThrough } from "../../www/src/state/through-open.js";
 
 /** @import { CurvesDocument, Point } from "../../www/src/types.js" */
 
-const dx = await load({ module: "figure" });
+const dx = await load({ module: "full" });
 const text = await readFile(new URL("../../www/presets/graded-strip.json", import.meta.url), "utf8");
 const strip = /** @type {CurvesDocument} */ (dx.defaults(text));
 

@@ -68,7 +68,7 @@ test("rules are repaired or as printed, all at once or singly", async (t) => {
   const page = await openPage(t);
   await method(page).selectOption("greedy");
   await pick(page, "rules", "printed");
-  assert.deepEqual((await matchingOf(page)).printed, ["normals", "negative", "heights", "order", "removal"]);
+  assert.deepEqual((await matchingOf(page)).printed, ["normals", "negative", "heights", "stages", "order", "removal"]);
   assert.ok(await page.locator("[data-box=printed-order]").isVisible(), "the list opens");
   await eventually(async () => assert.match(await status(page), /mean\s*f\s*\u2212/));
   await page.locator("[data-box=printed-stop]").check();

@@ -43,9 +43,10 @@ export function createSheet(panelButton) {
     return { low, half: innerHeight * half, full: innerHeight - top }[at];
   };
 
-  // What has the focus is never below the sheet, nor in the part of it that a low stop cuts off.
+  // What has the focus is never below the sheet, nor in the part of it that a low stop cuts off. What a finger focuses is in sight, and must
+  // not move from under it.
   find("#stage").addEventListener("focusin", ({ target }) => {
-    if (!narrow.matches || !(target instanceof Element)) return;
+    if (!narrow.matches || !(target instanceof Element) || !target.matches(":focus-visible")) return;
     const { bottom } = target.getBoundingClientRect();
     const clear = [...STOPS].reverse().find((at) => at === "low" || bottom <= innerHeight - height(at));
     if (clear && STOPS.indexOf(clear) < STOPS.indexOf(stop)) rest(clear);

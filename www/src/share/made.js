@@ -38,14 +38,14 @@ function document(app) {
 /** The preset that the document still is, with the view that it came with; null when it is none. @param {App} app */
 async function presetOf(app) {
   const { document: open } = app.store;
-  const { layers, s, isoMaterial, fitted } = app.ui.value;
-  if (!fitted) return null;
+  if (!app.ui.value.fitted) return null;
   for (const { id } of presets) {
     const raw = /** @type {{title?: string}} */ (presetDocument(id));
     if (raw.title !== open.title) continue;
     const own = splitView(await completed(app.kernel, raw));
     const same = JSON.stringify(own.document) === JSON.stringify(open) && own.place === null;
-    if (same && JSON.stringify(own.ui) === JSON.stringify({ layers, s, isoMaterial })) return id;
+    const shown = Object.keys(own.ui).map((key) => [key, app.ui.value[/** @type {keyof typeof own.ui} */ (key)]]);
+    if (same && JSON.stringify(own.ui) === JSON.stringify(Object.fromEntries(shown))) return id;
   }
   return null;
 }
