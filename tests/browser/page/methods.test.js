@@ -73,7 +73,7 @@ test("rules are repaired or as printed, all at once or singly", async (t) => {
   await eventually(async () => assert.match(await status(page), /mean\s*f\s*\u2212/));
   await page.locator("[data-box=printed-stop]").check();
   await eventually(async () => assert.match(await status(page), /\b1\s*line\b/));
-  for (const rule of ["stop", "normals", "negative", "heights", "order", "removal"]) {
+  for (const rule of ["stop", "normals", "negative", "heights", "stages", "order", "removal"]) {
     await page.locator(`[data-box=printed-${rule}]`).uncheck();
   }
   await eventually(async () => assert.ok(await page.locator("[data-segment=rules] input[value=repaired]").isChecked()));
