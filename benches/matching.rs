@@ -1,7 +1,7 @@
 //! Greedy and exact matching of two wavy rings, visibility included, over the number of samples.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use directrix::curve::{ClosedBSpline, Form};
+use directrix::curve::{BSpline, Form};
 use directrix::matching::{ExactOptions, Outline, Problem, Refine, Weights, exact, greedy, one_per_vertex};
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -68,9 +68,9 @@ fn rings(count: usize) -> Problem {
 }
 
 /// A wavy curve through 40 control points.
-fn curve(radius: f64, waves: f64) -> ClosedBSpline {
+fn curve(radius: f64, waves: f64) -> BSpline {
     let points = ring(radius, waves, 40).points;
-    ClosedBSpline::new(3, Form::Periodic, points, None).expect("a closed curve")
+    BSpline::new(3, Form::Periodic, points, None).expect("a closed curve")
 }
 
 criterion_group!(benches, matching);

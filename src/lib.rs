@@ -1,14 +1,14 @@
 //! Heterogeneous objects: bodies whose material varies from point to point.
 //!
 //! # A tour, in the order a reader works
-//! A [`curve::ClosedBSpline`] is checked once and then answers questions about its points, normals and arc length:
+//! A [`curve::BSpline`] is checked once and then answers questions about its points, normals and arc length:
 //!
 //! ```
-//! use directrix::curve::{ClosedBSpline, Form, Scheme, sample};
+//! use directrix::curve::{BSpline, Form, Scheme, sample};
 //! use glam::DVec2;
 //!
 //! let corners = (0..12).map(|i| 10.0 * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 12.0));
-//! let curve = ClosedBSpline::new(3, Form::Periodic, corners.collect(), None)?;
+//! let curve = BSpline::new(3, Form::Periodic, corners.collect(), None)?;
 //! assert!(curve.signed_area() > 0.0, "counter-clockwise");
 //!
 //! let samples = sample(&curve, Scheme::ArcLength, 24);
@@ -23,12 +23,12 @@
 //! constraints. The shapes here are alike, so that every line runs along both normals and both solvers find the same:
 //!
 //! ```
-//! use directrix::curve::{ClosedBSpline, Form, Scheme, sample};
+//! use directrix::curve::{BSpline, Form, Scheme, sample};
 //! use directrix::matching::{Bound, ExactOptions, Outline, Problem, Weights, exact, greedy, measure};
 //! # use glam::DVec2;
 //! # let corners = |radius: f64| (0..12).map(|i| radius * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 12.0)).collect();
 //!
-//! let ring = |radius| ClosedBSpline::new(3, Form::Periodic, corners(radius), None);
+//! let ring = |radius| BSpline::new(3, Form::Periodic, corners(radius), None);
 //! let outlines = [ring(10.0)?, ring(30.0)?].map(|curve| {
 //!     let samples = sample(&curve, Scheme::ArcLength, 24);
 //!     Outline::new(samples.points, samples.normals)
@@ -46,13 +46,13 @@
 //! and composition from one curve to the other:
 //!
 //! ```
-//! use directrix::curve::{ClosedBSpline, Form};
+//! use directrix::curve::{BSpline, Form};
 //! use directrix::material::Composition;
 //! use directrix::morph::Band;
 //! # use glam::DVec2;
 //! # let corners = |radius: f64| (0..12).map(|i| radius * DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 12.0)).collect();
 //!
-//! let ring = |radius| ClosedBSpline::new(3, Form::Periodic, corners(radius), None);
+//! let ring = |radius| BSpline::new(3, Form::Periodic, corners(radius), None);
 //! let curves = [ring(10.0)?, ring(30.0)?];
 //! let places: Vec<(f64, f64)> = (0..24).map(|i| (f64::from(i) / 24.0, f64::from(i) / 24.0)).collect();
 //! let band = Band::new(&curves, &places, |curve, _| Composition::pure(curve, 2), 1);

@@ -3,9 +3,7 @@
 
 mod support;
 
-use directrix::curve::{
-    ClosedBSpline, CornerRule, EndRule, Fit, FitError, FitOptions, Form, MOST_FIT_POINTS, fit,
-};
+use directrix::curve::{BSpline, CornerRule, EndRule, Fit, FitError, FitOptions, Form, MOST_FIT_POINTS, fit};
 use glam::{DVec2, dvec2};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -52,7 +50,7 @@ fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
 }
 
 /// The largest distance of points of the one from the other, in both directions, by brute force.
-fn gap(curve: &ClosedBSpline, polyline: &[DVec2]) -> f64 {
+fn gap(curve: &BSpline, polyline: &[DVec2]) -> f64 {
     let edges: Vec<_> =
         (0..polyline.len()).map(|i| (polyline[i], polyline[(i + 1) % polyline.len()])).collect();
     let dense: Vec<_> = curve.flatten(1e-5 * curve.bounds().diagonal()).into_iter().map(|(_, p)| p).collect();
@@ -119,7 +117,7 @@ fn an_ellipse_keeps_its_area() {
 #[test]
 fn the_shape_of_a_spline_is_recovered() {
     let control = closed(9, |t| DVec2::from_angle(TAU * t) * (10.0 + 4.0 * (2.0 * TAU * t).cos()));
-    let original = ClosedBSpline::new(3, Form::Periodic, control, None).unwrap();
+    let original = BSpline::new(3, Form::Periodic, control, None).unwrap();
     let points: Vec<_> = original.flatten(1e-6).into_iter().map(|(_, p)| p).collect();
     let result = fitted(&points, &smooth(0.01));
     let count = result.curve.points().len();

@@ -2,7 +2,7 @@
 
 mod support;
 
-use directrix::curve::ClosedBSpline;
+use directrix::curve::BSpline;
 use directrix::document::{Diagnostic, GapKind, Outcome, Solution, Solve, read_text};
 use directrix::matching::{OneToOne, Totals, places_of};
 use glam::DVec2;
@@ -176,7 +176,7 @@ fn exact_gives_as_many_lines_as_asked_for_and_names_its_gap() {
 }
 
 /// Whether a pair joins two parameters, up to whole domains.
-fn joins(curves: &[ClosedBSpline], pairs: &OneToOne, (u, v): (f64, f64)) -> bool {
+fn joins(curves: &[BSpline], pairs: &OneToOne, (u, v): (f64, f64)) -> bool {
     let is_same = |axis: usize, x: f64, y: f64| {
         let (lo, hi) = curves[axis].domain();
         let laps = (x - y) / (hi - lo);

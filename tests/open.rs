@@ -565,7 +565,7 @@ trait Domains {
     fn each_ref_domain(&self) -> [(f64, f64); 2];
 }
 
-impl Domains for [directrix::curve::ClosedBSpline] {
+impl Domains for [directrix::curve::BSpline] {
     fn each_ref_domain(&self) -> [(f64, f64); 2] {
         let [first, second] = [self[0].domain(), self[1].domain()];
         [(first.0, second.0), (first.1, second.1)]

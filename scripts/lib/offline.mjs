@@ -79,7 +79,7 @@ export function changesIn(text) {
 const manifest = {
   name: "Directrix",
   short_name: "Directrix",
-  description: "Matching of closed curves, morphs and material blends",
+  description: "Matching of curves, morphs and material blends",
   id: "./",
   start_url: "./",
   scope: "./",

@@ -2,7 +2,7 @@
 
 use super::arc_length::ArcLength;
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 use super::cone::Cone;
 use super::flatten::reach_squared;
 use super::sample::Samples;
@@ -39,7 +39,7 @@ const NOISE: f64 = 1e-7;
 /// # Panics
 /// When the fewest samples asked for are below 3.
 #[must_use]
-pub fn sample_adaptively(curve: &ClosedBSpline, fineness: Fineness) -> (Samples, bool) {
+pub fn sample_adaptively(curve: &BSpline, fineness: Fineness) -> (Samples, bool) {
     assert!(fineness.min_count >= 3, "a curve needs at least 3 samples, not {}", fineness.min_count);
     let mut sampler = Sampler::new(curve, fineness);
     let mut stretches = sampler.first_stretches();
@@ -92,7 +92,7 @@ struct Stretch {
 }
 
 struct Sampler<'a> {
-    curve: &'a ClosedBSpline,
+    curve: &'a BSpline,
     fineness: Fineness,
     arc_length: ArcLength,
     center: DVec2,
@@ -107,7 +107,7 @@ struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    fn new(curve: &'a ClosedBSpline, fineness: Fineness) -> Self {
+    fn new(curve: &'a BSpline, fineness: Fineness) -> Self {
         let (arc_length, center) = (curve.arc_length(), curve.bounds().center());
         let pieces = curve.pieces(center);
         let (knots, p) = (curve.knots(), curve.degree());
@@ -197,13 +197,13 @@ mod tests {
     use super::*;
     use crate::curve::Form;
 
-    fn curve(degree: usize, points: &[(f64, f64)]) -> ClosedBSpline {
+    fn curve(degree: usize, points: &[(f64, f64)]) -> BSpline {
         let points = points.iter().copied().map(DVec2::from).collect();
-        ClosedBSpline::new(degree, Form::Periodic, points, None).expect("a valid curve")
+        BSpline::new(degree, Form::Periodic, points, None).expect("a valid curve")
     }
 
     /// A cubic that follows a circle of radius 1 to about 1e-6: its control points lie a little outside.
-    fn circle() -> ClosedBSpline {
+    fn circle() -> BSpline {
         let step = std::f64::consts::TAU / 64.0;
         let reach = 3.0 / (2.0 + step.cos());
         let points: Vec<_> =

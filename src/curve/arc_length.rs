@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 use crate::geom::GAUSS_16;
 
 /// An interval is halved until 16 Gauss nodes on it and on its halves agree to this part of the length of the
@@ -15,7 +15,7 @@ const MAX_DEPTH: usize = 40;
 /// Most Newton or bisection steps of the inverse; bisection alone would be down to rounding by then.
 const MAX_STEPS: usize = 60;
 
-/// Arc length along a [`ClosedBSpline`], from the start of its domain, and the inverse function.
+/// Arc length along a [`BSpline`], from the start of its domain, and the inverse function.
 ///
 /// Lengths are within about 1e-12 of the total; the parameter returned has an arc length within about 1e-12 of
 /// the one asked for, relative to the total.
@@ -87,7 +87,7 @@ impl Velocity {
 }
 
 impl ArcLength {
-    fn new(curve: &ClosedBSpline) -> Self {
+    fn new(curve: &BSpline) -> Self {
         let (lo, hi) = curve.domain();
         let pieces = curve.pieces(curve.bounds().center());
         let polygon = |piece: &Bezier| piece.points.windows(2).map(|w| w[0].distance(w[1])).sum::<f64>();
@@ -199,7 +199,7 @@ impl ArcLength {
     }
 }
 
-impl ClosedBSpline {
+impl BSpline {
     /// Length of the curve, within about 1e-12 of itself.
     #[must_use]
     pub fn length(&self) -> f64 {

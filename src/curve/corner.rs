@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 use super::cone::Cone;
 use super::nearest::nearest_of;
 use crate::geom::order_by_number;
@@ -55,7 +55,7 @@ impl Tangents {
     }
 }
 
-impl ClosedBSpline {
+impl BSpline {
     /// Right-hand unit normal at u, outward on a counter-clockwise curve.
     ///
     /// At a corner it bisects the normals on both sides, as on a stretch where the curve stands still; at a cusp it
@@ -169,8 +169,8 @@ mod tests {
     use super::*;
     use crate::curve::Form;
 
-    fn curve(degree: usize, form: Form, points: &[(f64, f64)]) -> ClosedBSpline {
-        ClosedBSpline::new(degree, form, points.iter().copied().map(DVec2::from).collect(), None).unwrap()
+    fn curve(degree: usize, form: Form, points: &[(f64, f64)]) -> BSpline {
+        BSpline::new(degree, form, points.iter().copied().map(DVec2::from).collect(), None).unwrap()
     }
 
     fn assert_near(a: DVec2, b: DVec2) {
@@ -238,7 +238,7 @@ mod tests {
         let mut points = full.points().to_vec();
         let index = points.iter().position(|p| p.distance(at) < 1e-12).unwrap();
         points[index] += DVec2::new(-0.3, 0.4);
-        let bent = ClosedBSpline::new(3, Form::Periodic, points, Some(full.knots().to_vec())).unwrap();
+        let bent = BSpline::new(3, Form::Periodic, points, Some(full.knots().to_vec())).unwrap();
         assert_eq!(bent.corners().len(), 1);
         assert_eq!(bent.corners()[0].u, 0.43);
     }
@@ -252,7 +252,7 @@ mod tests {
         let mut knots = vec![0.0; 4];
         knots.extend([1.0, 1.0, 1.0, 2.0, 3.0, 3.0, 3.0, 3.0]);
         let points = points.into_iter().map(DVec2::from).collect();
-        let curve = ClosedBSpline::new(3, Form::Clamped, points, Some(knots)).unwrap();
+        let curve = BSpline::new(3, Form::Clamped, points, Some(knots)).unwrap();
         let found = curve.corners();
         let turned: Vec<_> = found.iter().filter(|c| (c.u - 0.5).abs() < 1e-6).collect();
         assert_eq!(turned.len(), 1, "{found:?}");

@@ -6,7 +6,7 @@ use std::fmt;
 use crate::geom::Full;
 use glam::DVec2;
 
-/// Why the numbers given do not make a [`ClosedBSpline`](super::ClosedBSpline). Indices count from zero.
+/// Why the numbers given do not make a [`BSpline`](super::BSpline). Indices count from zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum CurveError {

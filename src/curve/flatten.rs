@@ -3,14 +3,14 @@
 use glam::DVec2;
 
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 
 /// Smallest tolerance relative to the size of the curve; a finer polygon has millions of vertices.
 const FINEST: f64 = 1e-9;
 /// Most halvings of a piece; at the finest tolerance ordinary pieces need 16.
 const MAX_DEPTH: usize = 24;
 
-impl ClosedBSpline {
+impl BSpline {
     /// The vertices of a polygon no farther than `tolerance` from the curve, with their parameters; of an open curve, of a polyline from end
     /// to end.
     ///

@@ -1,10 +1,10 @@
 //! Knot insertion: one more control point, the same shape.
 
-use super::closed_bspline::{ClosedBSpline, Form, check_room};
+use super::bspline::{BSpline, Form, check_room};
 use super::error::CurveError;
 use super::knots;
 
-impl ClosedBSpline {
+impl BSpline {
     /// Inserts a knot at u, which adds one control point and keeps shape and parametrisation.
     ///
     /// A u within about 1e-10 of the domain of a knot raises the multiplicity of that knot. The domain stays as it
@@ -103,7 +103,7 @@ mod tests {
         [(3.0, 0.0), (1.0, 2.0), (-2.0, 1.5), (-2.5, -1.0), (0.5, -2.0)].map(DVec2::from).to_vec()
     }
 
-    fn same_shape(a: &ClosedBSpline, b: &ClosedBSpline) {
+    fn same_shape(a: &BSpline, b: &BSpline) {
         assert_eq!(a.domain(), b.domain());
         let (lo, hi) = a.domain();
         for i in 0..=97 {
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn a_periodic_curve_keeps_its_shape_for_every_knot_up_to_full_multiplicity() {
         for degree in 2..=4 {
-            let curve = ClosedBSpline::new(degree, Form::Periodic, pentagon(), None).unwrap();
+            let curve = BSpline::new(degree, Form::Periodic, pentagon(), None).unwrap();
             for u in [0.0, 0.01, 0.2, 0.37, 0.6, 0.81, 0.999, 1.0, -0.13, 7.5] {
                 let mut refined = curve.clone();
                 loop {
@@ -145,7 +145,7 @@ mod tests {
     fn a_clamped_curve_keeps_its_shape_and_its_ends() {
         let mut points = pentagon();
         points.push(points[0]);
-        let mut curve = ClosedBSpline::new(3, Form::Clamped, points, None).unwrap();
+        let mut curve = BSpline::new(3, Form::Clamped, points, None).unwrap();
         let original = curve.clone();
         for u in [0.1, 0.1, 0.1, 0.5, 1.0 / 3.0, 0.9999] {
             curve = curve.insert_knot(u).unwrap();
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn many_insertions_in_any_order_stay_on_the_curve() {
-        let curve = ClosedBSpline::new(3, Form::Periodic, pentagon(), None).unwrap();
+        let curve = BSpline::new(3, Form::Periodic, pentagon(), None).unwrap();
         let mut refined = curve.clone();
         for i in 0..60 {
             refined = refined.insert_knot((f64::from(i) * 0.618_033_988_749_895).fract()).unwrap();
@@ -166,15 +166,15 @@ mod tests {
         same_shape(&curve, &refined);
         // What insertion makes passes the checks of the constructor.
         let (points, knots) = (refined.points().to_vec(), refined.knots().to_vec());
-        assert_eq!(ClosedBSpline::new(3, Form::Periodic, points, Some(knots)).unwrap(), refined);
+        assert_eq!(BSpline::new(3, Form::Periodic, points, Some(knots)).unwrap(), refined);
     }
 
     #[test]
     fn what_cannot_be_inserted_is_refused() {
-        let curve = ClosedBSpline::new(3, Form::Periodic, pentagon(), None).unwrap();
+        let curve = BSpline::new(3, Form::Periodic, pentagon(), None).unwrap();
         assert!(matches!(curve.insert_knot(f64::NAN), Err(CurveError::ParameterNotFinite { .. })));
         let circle = (0..2000).map(|i| DVec2::from_angle(f64::from(i) / 320.0)).collect();
-        let full = ClosedBSpline::new(3, Form::Periodic, circle, None).unwrap();
+        let full = BSpline::new(3, Form::Periodic, circle, None).unwrap();
         assert_eq!(full.insert_knot(0.3), Err(CurveError::TooManyPoints { count: 2001, limit: 2000 }));
     }
 }

@@ -9,7 +9,7 @@
 use glam::DVec2;
 
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 use super::hull_tree::{HullTree, NodeId, Strip};
 use super::nearest::nearest_of;
 
@@ -39,7 +39,7 @@ pub struct Meeting {
     pub at: DVec2,
 }
 
-impl ClosedBSpline {
+impl BSpline {
     /// Finds a place where the curve crosses or touches itself, or `None` when it is simple. The ends of an open curve count like any
     /// other place.
     ///
@@ -103,8 +103,8 @@ enum Task {
 }
 
 struct Search<'a> {
-    first: &'a ClosedBSpline,
-    second: &'a ClosedBSpline,
+    first: &'a BSpline,
+    second: &'a BSpline,
     /// Whether the two are one curve that is asked about itself.
     on_itself: bool,
     /// Origin of the pieces in the tree.
@@ -116,7 +116,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(first: &'a ClosedBSpline, second: &'a ClosedBSpline, center: DVec2, diagonal: f64) -> Self {
+    fn new(first: &'a BSpline, second: &'a BSpline, center: DVec2, diagonal: f64) -> Self {
         let tree = HullTree::new(NOISE * diagonal);
         Self { first, second, on_itself: false, center, diagonal, tree, open: Vec::new(), budget: BUDGET }
     }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 use crate::geom::order_by_number;
 
 /// Relative difference of squared distances that counts as rounding noise. Without it a point in the middle of
@@ -25,7 +25,7 @@ pub struct Nearest {
     pub distance_sq: f64,
 }
 
-impl ClosedBSpline {
+impl BSpline {
     /// Finds the point of the curve nearest to `p`: the global minimum, not a local one.
     ///
     /// The distance is right to about 1e-13 of the size of the curve plus the distance. The parameter is right to

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 
 /// How samples are spread over a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -33,7 +33,7 @@ pub struct Samples {
 impl Samples {
     /// Samples of an open curve as those of the same curve reversed.
     #[must_use]
-    pub(crate) fn reversed(&self, curve: &ClosedBSpline) -> Self {
+    pub(crate) fn reversed(&self, curve: &BSpline) -> Self {
         let (lo, hi) = curve.domain();
         // The ends stay exact.
         let mirrored = |&u: &f64| {
@@ -57,7 +57,7 @@ impl Samples {
     /// Adds samples at parameters, wrapped into the domain, where there is none yet; returns the number of the sample at each.
     ///
     /// A parameter closer than a billionth of the domain to a sample means that sample.
-    pub fn insert(&mut self, curve: &ClosedBSpline, parameters: &[f64]) -> Vec<usize> {
+    pub fn insert(&mut self, curve: &BSpline, parameters: &[f64]) -> Vec<usize> {
         let (lo, hi) = curve.domain();
         let close = 1e-9 * (hi - lo);
         let arc_length = curve.arc_length();
@@ -90,7 +90,7 @@ impl Samples {
 /// # Panics
 /// When `count` is below 3.
 #[must_use]
-pub fn sample(curve: &ClosedBSpline, scheme: Scheme, count: usize) -> Samples {
+pub fn sample(curve: &BSpline, scheme: Scheme, count: usize) -> Samples {
     assert!(count >= 3, "a curve needs at least 3 samples, not {count}");
     let (lo, hi) = curve.domain();
     let arc_length = curve.arc_length();
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn inserted_samples_are_found_again_and_known_ones_stay() {
         let square = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(DVec2::from).to_vec();
-        let curve = ClosedBSpline::new(3, Form::Periodic, square, None).expect("a square");
+        let curve = BSpline::new(3, Form::Periodic, square, None).expect("a square");
         let mut samples = sample(&curve, Scheme::Parameter, 4);
         let numbers = samples.insert(&curve, &[0.6, 0.25, 1.1, 1.0, 0.6 + 1e-12]);
         assert_eq!(numbers, [4, 2, 1, 0, 4]);

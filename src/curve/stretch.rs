@@ -3,9 +3,9 @@
 use glam::DVec2;
 
 use super::bezier::Bezier;
-use super::closed_bspline::ClosedBSpline;
+use super::bspline::BSpline;
 
-impl ClosedBSpline {
+impl BSpline {
     /// Bezier points of the parts between the given pairs of parameters, each relative to `origin`; one point where both are equal.
     ///
     /// Pairs ascend; parameters beyond the domain wrap. No knot may lie inside a part, up to rounding: it is taken from the span that
@@ -55,7 +55,7 @@ mod tests {
             (0..7).map(|k| DVec2::from_angle(0.9 * f64::from(k)) * (2.0 + f64::from(k % 3))).collect();
         let origin = DVec2::new(3.0, -1.0);
         for degree in [2, 3, 5] {
-            let curve = ClosedBSpline::new(degree, Form::Periodic, points.clone(), None).unwrap();
+            let curve = BSpline::new(degree, Form::Periodic, points.clone(), None).unwrap();
             let start = -0.3;
             let mut ends = curve.knots_from(start);
             assert_eq!(ends.len(), 7);

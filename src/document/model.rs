@@ -4,7 +4,7 @@ use super::schema::{
     BLANK, CurveForm, CurveSpec, EndRule, Method, NegativeMode, PrintedRule, SamplingScheme,
 };
 use super::{Code, CurvesDocument, DocumentError};
-use crate::curve::{ClosedBSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
+use crate::curve::{BSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
 use crate::geom::{Bounds, ShownPlace};
 use crate::matching::{Ends, NegativeProducts, Weights};
 use crate::material::{Color, Composition, Material, Profile};
@@ -16,7 +16,7 @@ use glam::DVec2;
 #[derive(Debug, Clone)]
 pub struct Model {
     document: CurvesDocument,
-    curves: Vec<ClosedBSpline>,
+    curves: Vec<BSpline>,
     reversed: Vec<bool>,
     samples: Vec<Samples>,
     coarse: Vec<usize>,
@@ -80,7 +80,7 @@ impl Model {
 
     /// The curves that are there, at most two: counter-clockwise, or in the direction in which open ones are matched.
     #[must_use]
-    pub fn curves(&self) -> &[ClosedBSpline] {
+    pub fn curves(&self) -> &[BSpline] {
         &self.curves
     }
 
@@ -110,7 +110,7 @@ impl Model {
 
     /// The two curves and their samples, once both are there.
     #[must_use]
-    pub fn pair(&self) -> Option<(&[ClosedBSpline; 2], &[Samples; 2])> {
+    pub fn pair(&self) -> Option<(&[BSpline; 2], &[Samples; 2])> {
         self.curves.first_chunk().zip(self.samples.first_chunk())
     }
 
@@ -175,7 +175,7 @@ impl Model {
     pub fn bounds(&self) -> Bounds {
         self.curves
             .iter()
-            .map(ClosedBSpline::bounds)
+            .map(BSpline::bounds)
             .reduce(Bounds::union)
             .unwrap_or(Bounds { min: DVec2::splat(-BLANK / 2.0), max: DVec2::splat(BLANK / 2.0) })
     }
@@ -238,7 +238,7 @@ fn profile(document: &CurvesDocument, curve: usize) -> Result<Profile, DocumentE
 }
 
 /// Samples a curve as the document says; tells whether the samples are as fine as they should be.
-fn samples_of(curve: &ClosedBSpline, k: usize, document: &CurvesDocument) -> (Samples, bool) {
+fn samples_of(curve: &BSpline, k: usize, document: &CurvesDocument) -> (Samples, bool) {
     let sampling = &document.sampling;
     let scheme = match sampling.scheme {
         SamplingScheme::Parameter => Scheme::Parameter,
@@ -249,7 +249,7 @@ fn samples_of(curve: &ClosedBSpline, k: usize, document: &CurvesDocument) -> (Sa
 }
 
 /// Samples both curves at the larger of their counts: by parameter where the scheme says so, else by arc length.
-fn resample(curves: [&ClosedBSpline; 2], samples: &[Samples], scheme: SamplingScheme) -> Vec<Samples> {
+fn resample(curves: [&BSpline; 2], samples: &[Samples], scheme: SamplingScheme) -> Vec<Samples> {
     let count = samples.iter().map(|samples| samples.parameters.len()).max().unwrap_or(3);
     let scheme = match scheme {
         SamplingScheme::Parameter => Scheme::Parameter,
@@ -261,7 +261,7 @@ fn resample(curves: [&ClosedBSpline; 2], samples: &[Samples], scheme: SamplingSc
 /// Adds samples at the ends of the pins; returns their numbers.
 fn pins(
     document: &CurvesDocument,
-    curves: &[ClosedBSpline],
+    curves: &[BSpline],
     reversed: &[bool],
     samples: &mut [Samples],
 ) -> Vec<(usize, usize)> {
@@ -278,19 +278,19 @@ fn pins(
 }
 
 /// Builds a curve as drawn.
-pub(super) fn drawn_curve(spec: &CurveSpec, k: usize) -> Result<ClosedBSpline, DocumentError> {
+pub(super) fn drawn_curve(spec: &CurveSpec, k: usize) -> Result<BSpline, DocumentError> {
     let form = match spec.form {
         CurveForm::Periodic => Form::Periodic,
         CurveForm::Clamped => Form::Clamped,
         CurveForm::Open => Form::Open,
     };
     let points = spec.points.iter().map(|&p| DVec2::from(p)).collect();
-    ClosedBSpline::new(spec.degree, form, points, spec.knots.clone())
+    BSpline::new(spec.degree, form, points, spec.knots.clone())
         .map_err(|error| refuse(&error, k, spec.points.len()))
 }
 
 /// Builds a curve and turns a closed one counter-clockwise; tells whether it was reversed.
-fn curve(spec: &CurveSpec, k: usize) -> Result<(ClosedBSpline, bool), DocumentError> {
+fn curve(spec: &CurveSpec, k: usize) -> Result<(BSpline, bool), DocumentError> {
     let curve = drawn_curve(spec, k)?;
     let is_reversed = curve.is_closed() && curve.signed_area() < 0.0;
     if is_reversed { Ok((curve.reversed(), true)) } else { Ok((curve, false)) }

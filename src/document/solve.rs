@@ -3,7 +3,7 @@
 use super::direction::Direction;
 use super::work::{Found, Work};
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
-use crate::curve::ClosedBSpline;
+use crate::curve::BSpline;
 use crate::matching::{
     Details, Layout, Matching, OneToOne, Problem, ProblemError, RulingLine, Totals, Weights, broken, details,
     left_out, places_of, places_of_pairs,
@@ -289,7 +289,7 @@ fn matched(model: &Model, problem: Problem, found: Found) -> State {
 }
 
 /// Says why sampled polygons cannot be matched although the curves themselves are simple and, at equal heights, apart.
-fn why_unmatched(curves: &[ClosedBSpline; 2], gap: f64, error: ProblemError) -> Diagnostic {
+fn why_unmatched(curves: &[BSpline; 2], gap: f64, error: ProblemError) -> Diagnostic {
     match error {
         ProblemError::Apart => Diagnostic::Disjoint,
         ProblemError::NotSimple { at, .. } => Diagnostic::CoarseSampling { at: Some(at) },
@@ -305,7 +305,7 @@ fn why_unmatched(curves: &[ClosedBSpline; 2], gap: f64, error: ProblemError) -> 
 }
 
 fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
-    let corners = |(curve, spline): (usize, &ClosedBSpline)| {
+    let corners = |(curve, spline): (usize, &BSpline)| {
         spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
             curve,
             parameter: corner.u,

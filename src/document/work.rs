@@ -3,7 +3,7 @@
 use super::schema::{Method, ObjectiveName, Policy, PrintedRule, Shift};
 use super::solve::{Gap, GapKind};
 use super::{Diagnostic, Model};
-use crate::curve::{ClosedBSpline, Samples};
+use crate::curve::{BSpline, Samples};
 use crate::matching::{
     self, Bound, Exact, ExactOptions, Greedy, Infeasible, Insertion, Matching, Objective, OnePerVertex,
     OneToOne, Optimum, Outline, Placing, Printed, Problem, ProblemError, Refine, Refined, RulingLine, Spread,
@@ -13,7 +13,7 @@ use crate::matching::{
 /// A document on its way to lines, and then to one-to-one lines where it asks for them.
 #[derive(Debug)]
 pub(super) struct Work {
-    curves: [ClosedBSpline; 2],
+    curves: [BSpline; 2],
     samples: [Samples; 2],
     pins: Vec<(usize, usize)>,
     spec: super::MatchingSpec,
@@ -77,7 +77,7 @@ impl Work {
     /// When the sampled polygons cannot be matched.
     pub(super) fn new(
         model: &Model,
-        curves: &[ClosedBSpline; 2],
+        curves: &[BSpline; 2],
         samples: &[Samples; 2],
         is_coarse: bool,
     ) -> Result<Self, ProblemError> {

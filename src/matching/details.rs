@@ -4,7 +4,7 @@ use super::even::at_even_means;
 use super::parts::Parts;
 use super::place::{end_at, places_of};
 use super::{Problem, RulingLine};
-use crate::curve::{ArcLength, ClosedBSpline};
+use crate::curve::{ArcLength, BSpline};
 
 /// Figures of a set of lines beside its [`Totals`](super::Totals).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,12 +22,12 @@ pub struct Details {
 /// length; `None` without lines.
 #[must_use]
 pub fn details(
-    curves: &[ClosedBSpline; 2],
+    curves: &[BSpline; 2],
     problem: &Problem,
     lines: &[RulingLine],
     places: &[[f64; 2]],
 ) -> Option<Details> {
-    let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+    let arc_lengths = curves.each_ref().map(BSpline::arc_length);
     if places.is_empty() {
         return None;
     }
@@ -45,8 +45,8 @@ pub fn details(
 /// J on the curves of the correspondence that is linear in arc length between lines in cyclic order, by the midpoints of eight
 /// parts from each to the next, as for the J of [`OneToOne`](super::OneToOne).
 #[must_use]
-pub fn integral_on_curves(curves: &[ClosedBSpline; 2], problem: &Problem, lines: &[RulingLine]) -> f64 {
-    let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+pub fn integral_on_curves(curves: &[BSpline; 2], problem: &Problem, lines: &[RulingLine]) -> f64 {
+    let arc_lengths = curves.each_ref().map(BSpline::arc_length);
     let places = places_of(problem, lines);
     let closed = problem.ends().is_none();
     let lap = places.first().filter(|_| closed).map(|place| place.map(|share| share + 1.0));
@@ -64,12 +64,7 @@ pub fn integral_on_curves(curves: &[ClosedBSpline; 2], problem: &Problem, lines:
     places.iter().zip(next).map(gap).sum()
 }
 
-fn value_at(
-    curves: &[ClosedBSpline; 2],
-    arc_lengths: &[ArcLength; 2],
-    problem: &Problem,
-    [x, y]: [f64; 2],
-) -> f64 {
+fn value_at(curves: &[BSpline; 2], arc_lengths: &[ArcLength; 2], problem: &Problem, [x, y]: [f64; 2]) -> f64 {
     problem.value_between(end_at(&curves[0], &arc_lengths[0], x), end_at(&curves[1], &arc_lengths[1], y))
 }
 
@@ -83,8 +78,7 @@ mod tests {
     #[test]
     fn figures_of_the_optimum_agree_with_those_of_placed_lines() {
         let square = |r: f64| vec![dvec2(r, r), dvec2(-r, r), dvec2(-r, -r), dvec2(r, -r)];
-        let curves =
-            [1.0, 2.0].map(|r| ClosedBSpline::new(3, Form::Periodic, square(r), None).expect("a square"));
+        let curves = [1.0, 2.0].map(|r| BSpline::new(3, Form::Periodic, square(r), None).expect("a square"));
         let problem = |count: usize| {
             let outlines =
                 curves.each_ref().map(|curve| Outline::from(&sample(curve, Scheme::ArcLength, count)));

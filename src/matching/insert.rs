@@ -3,7 +3,7 @@
 use super::quadrature::Quadrature;
 use super::value::End;
 use super::{Ends, Layout, Matching, Outline, Problem, RulingLine, Totals, blocking_edge, measure::cross};
-use crate::curve::{ArcLength, ClosedBSpline, Samples};
+use crate::curve::{ArcLength, BSpline, Samples};
 use crate::geom::segment_crossing;
 use glam::DVec2;
 
@@ -107,7 +107,7 @@ struct Gap {
 /// pair. A gap in which one fails keeps the lines it had, and all is verified again.
 #[derive(Debug)]
 pub struct Insertion {
-    curves: [ClosedBSpline; 2],
+    curves: [BSpline; 2],
     arc_lengths: [ArcLength; 2],
     problem: Problem,
     counts: [usize; 2],
@@ -130,12 +130,12 @@ impl Insertion {
     /// A job on a complete matching, that of `problem`, whose outlines are the `samples` of the `curves`.
     #[must_use]
     pub fn new(
-        curves: &[ClosedBSpline; 2],
+        curves: &[BSpline; 2],
         samples: &[Samples; 2],
         problem: &Problem,
         matching: &Matching,
     ) -> Self {
-        let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+        let arc_lengths = curves.each_ref().map(BSpline::arc_length);
         let (a, b) = problem.counts();
         let passes = Passes { curves, arc_lengths: &arc_lengths, samples, problem, lines: &matching.lines };
         let mut job = Self {
@@ -214,7 +214,7 @@ impl Insertion {
     }
 
     fn periods(&self) -> [f64; 2] {
-        self.curves.each_ref().map(ClosedBSpline::domain).map(|(lo, hi)| hi - lo)
+        self.curves.each_ref().map(BSpline::domain).map(|(lo, hi)| hi - lo)
     }
 
     /// Puts the set together anew and begins to verify it.
@@ -417,7 +417,7 @@ fn owners(vertices: &[Join], axis: usize) -> Vec<Option<usize>> {
 
 /// The two passes of insertion on a complete matching.
 struct Passes<'a> {
-    curves: &'a [ClosedBSpline; 2],
+    curves: &'a [BSpline; 2],
     arc_lengths: &'a [ArcLength; 2],
     samples: &'a [Samples; 2],
     problem: &'a Problem,
@@ -620,7 +620,7 @@ mod tests {
     fn job(counts: [usize; 2], turns: [f64; 2]) -> (Insertion, Matching) {
         let ring = |radius: f64, turn: f64| {
             let point = |k: usize| radius * DVec2::from_angle(turn + TAU * k as f64 / 8.0);
-            ClosedBSpline::new(3, Form::Periodic, (0..8).map(point).collect(), None).expect("a ring")
+            BSpline::new(3, Form::Periodic, (0..8).map(point).collect(), None).expect("a ring")
         };
         let curves = [ring(1.0, turns[0]), ring(3.0, turns[1])];
         let samples = [0, 1].map(|k| sample(&curves[k], Scheme::ArcLength, counts[k]));

@@ -3,7 +3,7 @@
 use super::measure::cross;
 use super::place::places_of_pairs;
 use super::{FailedGap, OneToOne, blocking_edge};
-use crate::curve::ClosedBSpline;
+use crate::curve::BSpline;
 use crate::geom::segment_crossing;
 use glam::DVec2;
 
@@ -103,7 +103,7 @@ impl Spread {
     }
 
     /// Looks at the verified lines of [`places`](Self::places); returns whether other lines should be tried.
-    pub fn learn(&mut self, curves: &[ClosedBSpline; 2], pairs: &OneToOne) -> bool {
+    pub fn learn(&mut self, curves: &[BSpline; 2], pairs: &OneToOne) -> bool {
         let places = places_of_pairs(curves, pairs);
         let failed = (0..pairs.lines.len()).filter(|&k| !pairs.verified[k]);
         let failed: Vec<(usize, usize)> = failed.map(|k| (nearest(&self.even, mean(places[k])), k)).collect();
@@ -123,7 +123,7 @@ impl Spread {
 
     /// The gaps in which lines of the matching were kept, with the lines on either side.
     #[must_use]
-    pub fn gaps(&self, curves: &[ClosedBSpline; 2], pairs: &OneToOne) -> Vec<FailedGap> {
+    pub fn gaps(&self, curves: &[BSpline; 2], pairs: &OneToOne) -> Vec<FailedGap> {
         let places = places_of_pairs(curves, pairs);
         let n = places.len();
         let was = |k: usize| nearest(&self.even, mean(places[k % n]));

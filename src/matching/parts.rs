@@ -1,7 +1,7 @@
 //! Parts of the way from one line to the next, for integrals along one-to-one lines.
 
 use super::spacing::corner_shares;
-use crate::curve::{ArcLength, ClosedBSpline};
+use crate::curve::{ArcLength, BSpline};
 
 /// Parts into which the way from each line to the next is cut.
 pub(super) const PARTS: usize = 8;
@@ -16,7 +16,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    pub(super) fn new(curves: &[ClosedBSpline; 2], arc_lengths: &[ArcLength; 2]) -> Self {
+    pub(super) fn new(curves: &[BSpline; 2], arc_lengths: &[ArcLength; 2]) -> Self {
         Self { corners: [0, 1].map(|axis| corner_shares(&curves[axis], &arc_lengths[axis])) }
     }
 

@@ -4,7 +4,7 @@ use super::measure::cross;
 use super::quadrature::Quadrature;
 use super::value::End;
 use super::{OneToOne, Outline, Problem, RulingLine, Totals};
-use crate::curve::{ArcLength, ClosedBSpline};
+use crate::curve::{ArcLength, BSpline};
 
 /// Verifies and measures lines that join given places, as a job that advances line by line.
 ///
@@ -12,7 +12,7 @@ use crate::curve::{ArcLength, ClosedBSpline};
 /// them and against every other line; J and its bound are integrals over the curves.
 #[derive(Debug)]
 pub struct Placing {
-    curves: [ClosedBSpline; 2],
+    curves: [BSpline; 2],
     arc_lengths: [ArcLength; 2],
     problem: Problem,
     places: Vec<[f64; 2]>,
@@ -33,8 +33,8 @@ impl Placing {
     /// `places` are the ends in shares of arc length on both curves, in cyclic order, strictly ascending on both and within a lap; on open
     /// curves in order from end to end.
     #[must_use]
-    pub fn new(curves: &[ClosedBSpline; 2], problem: &Problem, places: &[[f64; 2]]) -> Self {
-        let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+    pub fn new(curves: &[BSpline; 2], problem: &Problem, places: &[[f64; 2]]) -> Self {
+        let arc_lengths = curves.each_ref().map(BSpline::arc_length);
         let mut places = places.to_vec();
         // The first end on the first curve comes first of all in the domain.
         let closed = problem.ends().is_none();
@@ -172,8 +172,8 @@ pub fn places_of(problem: &Problem, lines: &[RulingLine]) -> Vec<[f64; 2]> {
 
 /// Ends of one-to-one lines in shares of arc length on both curves, in the order of the lines.
 #[must_use]
-pub fn places_of_pairs(curves: &[ClosedBSpline; 2], pairs: &OneToOne) -> Vec<[f64; 2]> {
-    let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+pub fn places_of_pairs(curves: &[BSpline; 2], pairs: &OneToOne) -> Vec<[f64; 2]> {
+    let arc_lengths = curves.each_ref().map(BSpline::arc_length);
     let share = |axis: usize, u: f64| arc_lengths[axis].at(u) / arc_lengths[axis].total();
     pairs.places.iter().map(|&(u, v)| [share(0, u), share(1, v)]).collect()
 }
@@ -182,7 +182,7 @@ pub fn places_of_pairs(curves: &[ClosedBSpline; 2], pairs: &OneToOne) -> Vec<[f6
 /// vertices.
 fn with_ends(
     outline: &Outline,
-    curve: &ClosedBSpline,
+    curve: &BSpline,
     arc_length: &ArcLength,
     shares: &[f64],
 ) -> (Outline, Vec<usize>) {
@@ -238,7 +238,7 @@ fn with_ends(
 }
 
 /// A point of a curve at a share of arc length, as the end of a line.
-pub(super) fn end_at(curve: &ClosedBSpline, arc_length: &ArcLength, share: f64) -> End {
+pub(super) fn end_at(curve: &BSpline, arc_length: &ArcLength, share: f64) -> End {
     let u = arc_length.parameter(share * arc_length.total());
     End { point: curve.point(u), normal: curve.normal(u) }
 }
@@ -251,10 +251,9 @@ mod tests {
     use glam::dvec2;
 
     /// Two squarish curves, one round the other.
-    fn pair() -> ([ClosedBSpline; 2], Problem) {
+    fn pair() -> ([BSpline; 2], Problem) {
         let square = |r: f64| vec![dvec2(r, r), dvec2(-r, r), dvec2(-r, -r), dvec2(r, -r)];
-        let curves =
-            [1.0, 3.0].map(|r| ClosedBSpline::new(3, Form::Periodic, square(r), None).expect("a square"));
+        let curves = [1.0, 3.0].map(|r| BSpline::new(3, Form::Periodic, square(r), None).expect("a square"));
         let outlines = curves.each_ref().map(|curve| Outline::from(&sample(curve, Scheme::ArcLength, 12)));
         let problem = Problem::new(outlines, Weights::default(), 0.0).expect("one inside the other");
         (curves, problem)

@@ -4,7 +4,7 @@ use super::parts::{PARTS, Parts};
 use super::value::End;
 use super::visibility::Sight;
 use super::{Problem, RulingLine};
-use crate::curve::{ArcLength, ClosedBSpline};
+use crate::curve::{ArcLength, BSpline};
 
 /// Ends of lines that are looked at all round a curve for a better partner; between many lines some are skipped at first.
 const CANDIDATES: usize = 128;
@@ -54,7 +54,7 @@ impl Quadrature {
     pub(super) fn advance(
         &mut self,
         problem: &Problem,
-        curves: &[ClosedBSpline; 2],
+        curves: &[BSpline; 2],
         arc_lengths: &[ArcLength; 2],
     ) -> f64 {
         let count = self.gaps;

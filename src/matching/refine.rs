@@ -10,7 +10,7 @@ use super::refine_open::RefineOpen;
 use super::rounds::Rounds;
 use super::spacing::{Spacing, corner_shares};
 use super::{Ends, Problem, RulingLine, Weights};
-use crate::curve::ClosedBSpline;
+use crate::curve::BSpline;
 
 /// Samples of each curve at the first level, without those of corners: fine enough that the best path runs where the optimum on the curves does.
 const FIRST_COUNT: usize = 320;
@@ -56,13 +56,13 @@ pub struct Refined {
 /// as their values jump there, and none passes to the other side of it.
 #[must_use]
 pub fn even_places(
-    curves: &[ClosedBSpline; 2],
+    curves: &[BSpline; 2],
     problem: &Problem,
     places: &[[f64; 2]],
     count: usize,
     fineness: f64,
 ) -> Vec<[f64; 2]> {
-    let arc_lengths = curves.each_ref().map(ClosedBSpline::arc_length);
+    let arc_lengths = curves.each_ref().map(BSpline::arc_length);
     let value = |[x, y]: [f64; 2], by: f64| {
         let end = |axis: usize, share: f64| end_at(&curves[axis], &arc_lengths[axis], share);
         problem.value_between(end(0, x + by), end(1, y - by))
@@ -125,14 +125,14 @@ struct Level {
 impl Refine {
     /// A job that has not begun, for two counter-clockwise curves; `gap` is the distance between their planes.
     #[must_use]
-    pub fn new(curves: [ClosedBSpline; 2], weights: Weights, gap: f64) -> Self {
+    pub fn new(curves: [BSpline; 2], weights: Weights, gap: f64) -> Self {
         let (spacings, finder) = (curves.each_ref().map(Spacing::new), PathFinder::default());
         Self { spacings, weights, gap, open: None, finder, level: None, last: None }
     }
 
     /// A job that has not begun, for two open curves that run in the direction in which they are matched.
     #[must_use]
-    pub fn open(curves: [ClosedBSpline; 2], weights: Weights, gap: f64, ends: Ends) -> Self {
+    pub fn open(curves: [BSpline; 2], weights: Weights, gap: f64, ends: Ends) -> Self {
         let open = RefineOpen::new(curves.clone(), weights, gap, ends);
         Self { open: Some(Box::new(open)), ..Self::new(curves, weights, gap) }
     }
@@ -312,7 +312,7 @@ mod tests {
     use glam::{DVec2, dvec2};
     use std::f64::consts::TAU;
 
-    fn run(curves: &[ClosedBSpline; 2], weights: Weights) -> Refined {
+    fn run(curves: &[BSpline; 2], weights: Weights) -> Refined {
         let mut job = Refine::new(curves.clone(), weights, 0.0);
         loop {
             if let Some(refined) = job.step(&mut || false) {
@@ -322,16 +322,15 @@ mod tests {
     }
 
     /// A curve through control points at given angles and radii.
-    fn curve(count: usize, radius: impl Fn(f64) -> f64) -> ClosedBSpline {
+    fn curve(count: usize, radius: impl Fn(f64) -> f64) -> BSpline {
         let point = |k: usize| {
             let angle = TAU * k as f64 / count as f64;
             radius(angle) * DVec2::from_angle(angle)
         };
-        ClosedBSpline::new(3, Form::Periodic, (0..count).map(point).collect(), None)
-            .expect("a star-shaped curve")
+        BSpline::new(3, Form::Periodic, (0..count).map(point).collect(), None).expect("a star-shaped curve")
     }
 
-    fn pair() -> [ClosedBSpline; 2] {
+    fn pair() -> [BSpline; 2] {
         let inner = curve(24, |t| 1.0 + 0.35 * (3.0 * t).cos());
         [inner, curve(30, |t| 2.6 + 0.3 * (4.0 * t + 0.7).sin())]
     }
@@ -341,10 +340,10 @@ mod tests {
     }
 
     /// The same curve with its seam at another control point.
-    fn reseamed(curve: &ClosedBSpline, by: usize) -> ClosedBSpline {
+    fn reseamed(curve: &BSpline, by: usize) -> BSpline {
         let mut points = curve.points().to_vec();
         points.rotate_left(by);
-        ClosedBSpline::new(3, Form::Periodic, points, None).expect("the same curve")
+        BSpline::new(3, Form::Periodic, points, None).expect("the same curve")
     }
 
     #[test]
@@ -375,7 +374,7 @@ mod tests {
         let mirrored = curves.each_ref().map(|curve| {
             let flip = |p: &DVec2| dvec2(-p.x, p.y);
             let points = curve.points().iter().rev().map(flip).collect();
-            ClosedBSpline::new(3, Form::Periodic, points, None).expect("the mirror image")
+            BSpline::new(3, Form::Periodic, points, None).expect("the mirror image")
         });
         for (what, other) in [("seam", seams), ("order", [second, first]), ("direction", mirrored)] {
             let integral = run(&other, Weights::default()).integral;
@@ -406,11 +405,11 @@ mod tests {
     }
 
     /// A square of straight pieces between corners, whose seam lies on a side.
-    fn square() -> ClosedBSpline {
+    fn square() -> BSpline {
         let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(DVec2::from);
         let mut points: Vec<DVec2> = corners.iter().flat_map(|&corner| [corner; 3]).collect();
         points.rotate_left(1);
-        ClosedBSpline::new(3, Form::Periodic, points, None).expect("a square")
+        BSpline::new(3, Form::Periodic, points, None).expect("a square")
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::place::places_of;
 use super::refine::{Refined, has_fans};
 use super::rounds::Rounds;
 use super::{Ends, Outline, Problem, Weights};
-use crate::curve::{ClosedBSpline, Scheme, sample};
+use crate::curve::{BSpline, Scheme, sample};
 
 /// Samples of each curve at the first level: fine enough that the best path runs where the optimum on the curves does.
 const FIRST_COUNT: usize = 160;
@@ -25,7 +25,7 @@ const HALF_WIDTH: usize = 4;
 /// next, both ends with them.
 #[derive(Debug)]
 pub(super) struct RefineOpen {
-    curves: [ClosedBSpline; 2],
+    curves: [BSpline; 2],
     weights: Weights,
     gap: f64,
     ends: Ends,
@@ -43,7 +43,7 @@ struct Level {
 
 impl RefineOpen {
     /// A job that has not begun, for two curves that run in the direction in which they are matched.
-    pub(super) fn new(curves: [ClosedBSpline; 2], weights: Weights, gap: f64, ends: Ends) -> Self {
+    pub(super) fn new(curves: [BSpline; 2], weights: Weights, gap: f64, ends: Ends) -> Self {
         Self { curves, weights, gap, ends, finder: PathFinder::default(), level: None, last: None }
     }
 

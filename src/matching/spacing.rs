@@ -2,7 +2,7 @@
 
 use super::Outline;
 use super::place::{end_at, shares_of};
-use crate::curve::{ArcLength, ClosedBSpline};
+use crate::curve::{ArcLength, BSpline};
 use crate::geom::order_by_number;
 
 /// Distance, in shares of arc length, between the two samples of a corner: far above rounding, and far below what an integral to 1e-4
@@ -25,7 +25,7 @@ const BY_TURN: f64 = 0.3;
 /// other, and between samples the values are smooth.
 #[derive(Debug, Clone)]
 pub(super) struct Spacing {
-    curve: ClosedBSpline,
+    curve: BSpline,
     arc_length: ArcLength,
     /// Corners in shares of arc length, ascending from 0 on.
     corners: Vec<f64>,
@@ -34,7 +34,7 @@ pub(super) struct Spacing {
 }
 
 impl Spacing {
-    pub(super) fn new(curve: &ClosedBSpline) -> Self {
+    pub(super) fn new(curve: &BSpline) -> Self {
         let arc_length = curve.arc_length();
         let corners = corner_shares(curve, &arc_length);
         let measures = measures(curve, &arc_length);
@@ -108,7 +108,7 @@ impl Spacing {
 }
 
 /// Shares of arc length at which a curve has corners, ascending from 0 on.
-pub(super) fn corner_shares(curve: &ClosedBSpline, arc_length: &ArcLength) -> Vec<f64> {
+pub(super) fn corner_shares(curve: &BSpline, arc_length: &ArcLength) -> Vec<f64> {
     let share = |u: f64| (arc_length.at(u) / arc_length.total()).clamp(0.0, 1.0);
     let at_seam = |share: &f64| *share < APART || *share > 1.0 - APART;
     let mut shares: Vec<f64> = curve.corners().iter().map(|corner| share(corner.u)).collect();
@@ -119,7 +119,7 @@ pub(super) fn corner_shares(curve: &ClosedBSpline, arc_length: &ArcLength) -> Ve
 }
 
 /// Arc length and turn together, from the start of a curve on.
-fn measures(curve: &ClosedBSpline, arc_length: &ArcLength) -> Vec<(f64, f64)> {
+fn measures(curve: &BSpline, arc_length: &ArcLength) -> Vec<(f64, f64)> {
     let (lo, hi) = curve.domain();
     let mut knots: Vec<f64> = curve.knots().iter().copied().filter(|u| (lo..=hi).contains(u)).collect();
     knots.dedup();
@@ -154,13 +154,13 @@ mod tests {
     use crate::curve::Form;
     use glam::{DVec2, dvec2};
 
-    fn clamped(points: &[(f64, f64)]) -> ClosedBSpline {
+    fn clamped(points: &[(f64, f64)]) -> BSpline {
         let points = points.iter().copied().map(DVec2::from).collect();
-        ClosedBSpline::new(2, Form::Clamped, points, None).expect("a curve")
+        BSpline::new(2, Form::Clamped, points, None).expect("a curve")
     }
 
     /// A square of straight pieces with three of its corners inside the domain and one at the seam.
-    fn square() -> ClosedBSpline {
+    fn square() -> BSpline {
         let [a, b, c, d] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
         clamped(&[a, a, b, b, c, c, d, d, a])
     }
@@ -189,9 +189,9 @@ mod tests {
                 let angle = std::f64::consts::TAU * k as f64 / 40.0;
                 dvec2(angle.cos(), b * angle.sin())
             };
-            ClosedBSpline::new(3, Form::Periodic, (0..40).map(point).collect(), None).expect("a curve")
+            BSpline::new(3, Form::Periodic, (0..40).map(point).collect(), None).expect("a curve")
         };
-        let shares = |curve: &ClosedBSpline| {
+        let shares = |curve: &BSpline| {
             let shares = Spacing::new(curve).outline(200).shares;
             let of = |f: fn(f64, f64) -> f64, start: f64| shares.iter().copied().fold(start, f);
             (of(f64::min, 1.0), of(f64::max, 0.0))

@@ -1,6 +1,6 @@
 //! The ruled band between two matched curves.
 
-use crate::curve::ClosedBSpline;
+use crate::curve::BSpline;
 use crate::material::Composition;
 use glam::DVec2;
 
@@ -55,7 +55,7 @@ impl Band {
     /// number of rulings from one line to the next, at least 1.
     #[must_use]
     pub fn new(
-        curves: &[ClosedBSpline; 2],
+        curves: &[BSpline; 2],
         places: &[(f64, f64)],
         compose: impl Fn(usize, f64) -> Composition,
         per_line: usize,
@@ -135,7 +135,7 @@ mod tests {
     /// Two quadratic curves, one twice the other, matched at the four quarters of their domain.
     fn band(per_line: usize) -> Band {
         let square = |r: f64| vec![dvec2(r, r), dvec2(-r, r), dvec2(-r, -r), dvec2(r, -r)];
-        let curve = |r: f64| ClosedBSpline::new(2, Form::Periodic, square(r), None).expect("a valid curve");
+        let curve = |r: f64| BSpline::new(2, Form::Periodic, square(r), None).expect("a valid curve");
         let curves = [curve(1.0), curve(2.0)];
         // The matching starts a quarter behind on the second curve.
         let places = [(0.0, -0.25), (0.25, 0.0), (0.5, 0.25), (0.75, 0.5)];

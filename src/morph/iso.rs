@@ -134,7 +134,7 @@ fn root(x: f64, y: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::{ClosedBSpline, Form};
+    use crate::curve::{BSpline, Form};
     use crate::material::{Composition, Profile};
     use glam::dvec2;
     use proptest::prelude::*;
@@ -144,7 +144,7 @@ mod tests {
     fn band(lines: usize, keys: [&[(f64, f64)]; 2]) -> Band {
         let curve = |r: f64| {
             let points = (0..24).map(|k| r * DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 24.0));
-            ClosedBSpline::new(3, Form::Periodic, points.collect(), None).expect("a valid curve")
+            BSpline::new(3, Form::Periodic, points.collect(), None).expect("a valid curve")
         };
         let parameters = (0..lines).map(|k| k as f64 / lines as f64);
         let straight: Vec<(f64, f64)> = parameters.map(|u| (u, u)).collect();

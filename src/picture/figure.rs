@@ -1,7 +1,7 @@
 //! The picture of a solved document.
 
 use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
-use crate::curve::ClosedBSpline;
+use crate::curve::BSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::{Problem, RulingLine};
 use crate::material::{Oklab, mix_colors};
@@ -84,7 +84,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
 
 /// The curves as polylines within a chord error in document units.
 fn outlines(solution: &Solution, tolerance: f64) -> Path {
-    let ring = |curve: &ClosedBSpline| curve.flatten(tolerance).into_iter().map(|(_, p)| p).collect();
+    let ring = |curve: &BSpline| curve.flatten(tolerance).into_iter().map(|(_, p)| p).collect();
     Path { rings: solution.model.curves().iter().map(ring).collect(), closed: is_closed(solution) }
 }
 
@@ -100,7 +100,7 @@ fn border(solution: &Solution, band: &Band, tolerance: f64) -> Path {
     else {
         return Path::default();
     };
-    let stretch = |curve: &ClosedBSpline, from: f64, to: f64| {
+    let stretch = |curve: &BSpline, from: f64, to: f64| {
         let inner =
             curve.flatten(tolerance).into_iter().filter(move |(u, _)| (from..to).contains(u) && *u > from);
         let mut points = vec![curve.point(from)];

@@ -1,6 +1,6 @@
 //! Adaptive samples: what they promise, measured densely, and what they save.
 
-use directrix::curve::{ClosedBSpline, Fineness, Form, Samples, Scheme, sample, sample_adaptively};
+use directrix::curve::{BSpline, Fineness, Form, Samples, Scheme, sample, sample_adaptively};
 use glam::DVec2;
 
 use crate::support::{assert_near, curve, periodic, polygon, variety};
@@ -13,7 +13,7 @@ fn off_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
 
 /// Greatest distance of 14 points of the curve between each two samples from their chord, and greatest difference in
 /// degrees of the directions of the steps between them.
-fn measured(curve: &ClosedBSpline, samples: &Samples) -> (f64, f64) {
+fn measured(curve: &BSpline, samples: &Samples) -> (f64, f64) {
     let n = samples.points.len();
     let mut worst = (0.0_f64, 0.0_f64);
     for i in 0..n {

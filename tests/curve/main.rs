@@ -1,4 +1,4 @@
-//! Closed B-spline curves, from the outside: values, lengths, nearest points, meetings, refusals, random curves.
+//! Planar B-spline curves, from the outside: values, lengths, nearest points, meetings, refusals, random curves.
 
 mod adaptive;
 mod lengths;

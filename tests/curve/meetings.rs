@@ -1,13 +1,13 @@
 //! Where a curve meets itself or another.
 
-use directrix::curve::{ClosedBSpline, Form, Meeting};
+use directrix::curve::{BSpline, Form, Meeting};
 use glam::DVec2;
 
 use crate::support::{assert_near, blob, curve, periodic, polygon, variety};
 
 /// Checks that the meeting is a place of both curves.
 #[track_caller]
-fn assert_meets(a: &ClosedBSpline, b: &ClosedBSpline, meeting: Option<Meeting>) -> Meeting {
+fn assert_meets(a: &BSpline, b: &BSpline, meeting: Option<Meeting>) -> Meeting {
     let meeting = meeting.expect("the curves meet");
     let allowed = 2e-9 * a.bounds().union(b.bounds()).diagonal();
     assert_near(a.point(meeting.u), meeting.at, allowed);
@@ -15,8 +15,8 @@ fn assert_meets(a: &ClosedBSpline, b: &ClosedBSpline, meeting: Option<Meeting>) 
     meeting
 }
 
-fn spline(points: Vec<DVec2>) -> ClosedBSpline {
-    ClosedBSpline::new(3, Form::Periodic, points, None).unwrap()
+fn spline(points: Vec<DVec2>) -> BSpline {
+    BSpline::new(3, Form::Periodic, points, None).unwrap()
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn tiny_loops_are_found() {
 }
 
 /// A dumb-bell whose waist has the given width: its two sides run towards each other round y = 0.
-fn dumb_bell(waist: f64) -> ClosedBSpline {
+fn dumb_bell(waist: f64) -> BSpline {
     // At a point of symmetry a uniform cubic is (a + 4 b + a) / 6 there, so the waist is exact.
     let h = waist / 2.0;
     let (side, middle) = (1.0, (6.0 * h - 2.0) / 4.0);

@@ -1,12 +1,12 @@
 //! Nearest points against a dense search.
 
-use directrix::curve::{ClosedBSpline, Form};
+use directrix::curve::{BSpline, Form};
 use glam::DVec2;
 
 use crate::support::{assert_close, assert_near, blob, polygon, variety};
 
 /// Distance to the curve by dense sampling and golden section round every local minimum of the samples.
-fn brute_force(curve: &ClosedBSpline, p: DVec2) -> f64 {
+fn brute_force(curve: &BSpline, p: DVec2) -> f64 {
     let (lo, hi) = curve.domain();
     let (n, step) = (3000, (hi - lo) / 3000.0);
     let distance = |u: f64| curve.point(u).distance(p);
@@ -63,7 +63,7 @@ fn points_of_the_curve_are_found_again() {
 fn the_middle_of_a_circle_has_a_nearest_point() {
     // A nearly exact circle: every point is as near as any other, up to about 1e-9.
     let circle = (0..64).map(|i| DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 64.0)).collect();
-    let circle = ClosedBSpline::new(5, Form::Periodic, circle, None).unwrap();
+    let circle = BSpline::new(5, Form::Periodic, circle, None).unwrap();
     for p in [DVec2::ZERO, DVec2::new(1e-13, 0.0), DVec2::new(0.0, 1e-7)] {
         let nearest = circle.nearest(p);
         assert_close(nearest.distance_sq.sqrt(), brute_force(&circle, p), 1e-12);
@@ -80,7 +80,7 @@ fn corners_far_points_and_odd_points() {
     assert!(square.nearest(DVec2::NAN).at.is_finite());
     assert!(square.nearest(DVec2::INFINITY).at.is_finite());
     let far = blob(1.0, DVec2::new(1e8, -1e8));
-    let far = ClosedBSpline::new(3, Form::Periodic, far, None).unwrap();
+    let far = BSpline::new(3, Form::Periodic, far, None).unwrap();
     let p = DVec2::new(1e8 + 0.3, -1e8);
     assert_close(far.nearest(p).distance_sq.sqrt(), brute_force(&far, p), 1e-7);
 }

@@ -2,7 +2,7 @@
 //!
 //! The generator starts from a fixed seed, so every run tests the same curves; a failure prints the shrunk curve.
 
-use directrix::curve::{ClosedBSpline, Form, Scheme, sample};
+use directrix::curve::{BSpline, Form, Scheme, sample};
 use glam::DVec2;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -10,7 +10,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 const SEED: u8 = 42;
 
 /// Runs the test on that many random curves from the fixed seed; `nearly` adds gaps of about the tolerances.
-fn check(cases: u32, nearly: bool, test: impl Fn(ClosedBSpline) -> Result<(), TestCaseError>) {
+fn check(cases: u32, nearly: bool, test: impl Fn(BSpline) -> Result<(), TestCaseError>) {
     println!("proptest ChaCha, seed [{SEED}; 32], {cases} cases");
     let config = Config { cases, failure_persistence: None, ..Config::default() };
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[SEED; 32]);
@@ -28,7 +28,7 @@ fn coordinate(nearly: bool) -> BoxedStrategy<f64> {
 }
 
 /// Curves of both forms with repeated points, repeated knots, and sizes from tiny to huge, near and far.
-fn odd_curve(nearly: bool) -> impl Strategy<Value = ClosedBSpline> {
+fn odd_curve(nearly: bool) -> impl Strategy<Value = BSpline> {
     let points = prop::collection::vec(((coordinate(nearly), coordinate(nearly)), 1..4_usize), 3..12);
     let spacing = prop::collection::vec(prop_oneof![2 => Just(0.0), 2 => Just(1.0), 1 => 1e-9..2.0], 64);
     let scale = prop_oneof![Just(1.0), Just(1e-30), Just(1e-9), Just(1e6), Just(1e11)];
@@ -55,7 +55,7 @@ fn odd_curve(nearly: bool) -> impl Strategy<Value = ClosedBSpline> {
             } else {
                 domain
             };
-            ClosedBSpline::new(degree, form, points, (!uniform).then_some(knots)).ok()
+            BSpline::new(degree, form, points, (!uniform).then_some(knots)).ok()
         },
     )
 }
@@ -145,8 +145,7 @@ fn reversal_and_scaling_leave_meetings_alone() {
         let crossing = curve.self_intersection().is_some();
         prop_assert_eq!(curve.reversed().self_intersection().is_some(), crossing);
         let points = curve.points().iter().map(|p| *p * 0.5).collect();
-        let half =
-            ClosedBSpline::new(curve.degree(), curve.form(), points, Some(curve.knots().to_vec())).unwrap();
+        let half = BSpline::new(curve.degree(), curve.form(), points, Some(curve.knots().to_vec())).unwrap();
         prop_assert_eq!(half.self_intersection().is_some(), crossing);
         prop_assert!(curve.contact(&curve.clone()).is_some());
         Ok(())

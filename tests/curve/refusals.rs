@@ -1,6 +1,6 @@
 //! Every refusal, with its message.
 
-use directrix::curve::{ClosedBSpline, CurveError, Form};
+use directrix::curve::{BSpline, CurveError, Form};
 use glam::DVec2;
 
 use crate::support::try_curve;
@@ -142,7 +142,7 @@ fn knots_that_cannot_be_inserted() {
     let message = full.insert_knot(0.25 + 1e-13).unwrap_err().to_string();
     assert_eq!(message, "the knot 0.25 is there 2 times; expected fewer than the degree, 2, for another one");
     let circle = (0..2000).map(|i| DVec2::from_angle(f64::from(i) / 320.0)).collect();
-    let full = ClosedBSpline::new(2, Form::Periodic, circle, None).unwrap();
+    let full = BSpline::new(2, Form::Periodic, circle, None).unwrap();
     assert_eq!(full.insert_knot(0.3), Err(CurveError::TooManyPoints { count: 2001, limit: 2000 }));
 }
 

@@ -1,6 +1,6 @@
 //! Curves to test with, and slow independent evaluation.
 
-use directrix::curve::{ClosedBSpline, CurveError, Form};
+use directrix::curve::{BSpline, CurveError, Form};
 use glam::DVec2;
 
 /// Makes a curve from pairs of numbers.
@@ -9,28 +9,23 @@ pub(crate) fn try_curve(
     form: Form,
     points: &[(f64, f64)],
     knots: Option<&[f64]>,
-) -> Result<ClosedBSpline, CurveError> {
+) -> Result<BSpline, CurveError> {
     let points = points.iter().copied().map(DVec2::from).collect();
-    ClosedBSpline::new(degree, form, points, knots.map(<[f64]>::to_vec))
+    BSpline::new(degree, form, points, knots.map(<[f64]>::to_vec))
 }
 
 /// A curve whose numbers are known to be right.
-pub(crate) fn curve(
-    degree: usize,
-    form: Form,
-    points: &[(f64, f64)],
-    knots: Option<&[f64]>,
-) -> ClosedBSpline {
+pub(crate) fn curve(degree: usize, form: Form, points: &[(f64, f64)], knots: Option<&[f64]>) -> BSpline {
     try_curve(degree, form, points, knots).unwrap()
 }
 
 /// A periodic curve with uniform knots.
-pub(crate) fn periodic(degree: usize, points: &[(f64, f64)]) -> ClosedBSpline {
+pub(crate) fn periodic(degree: usize, points: &[(f64, f64)]) -> BSpline {
     curve(degree, Form::Periodic, points, None)
 }
 
 /// A clamped curve with the corners of a polygon for control points, each as often as the degree: the polygon itself.
-pub(crate) fn polygon(degree: usize, corners: &[(f64, f64)]) -> ClosedBSpline {
+pub(crate) fn polygon(degree: usize, corners: &[(f64, f64)]) -> BSpline {
     let repeated: Vec<_> = corners.iter().flat_map(|&c| vec![c; degree]).collect();
     periodic(degree, &repeated)
 }
@@ -44,7 +39,7 @@ pub(crate) fn blob(scale: f64, shift: DVec2) -> Vec<DVec2> {
 }
 
 /// Different kinds of curves: both forms, several degrees, even and uneven knots, corners.
-pub(crate) fn variety() -> Vec<ClosedBSpline> {
+pub(crate) fn variety() -> Vec<BSpline> {
     let ring = [(3.0, 0.5), (1.0, 2.0), (-2.0, 1.5), (-2.5, -1.0), (0.5, -2.0), (2.0, -1.5), (2.5, -1.0)];
     let closed: Vec<_> = ring.iter().chain(&ring[..1]).copied().collect();
     let uneven = [2.0, 2.5, 2.5, 3.5, 5.0, 5.25, 6.0, 8.0];
@@ -54,9 +49,9 @@ pub(crate) fn variety() -> Vec<ClosedBSpline> {
     curves.extend((2..=6).map(|degree| curve(degree, Form::Periodic, &ring, Some(&uneven))));
     curves.push(curve(3, Form::Clamped, &closed, Some(&clamped_knots)));
     curves.push(polygon(3, &[(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (0.0, 1.0)]));
-    curves.push(ClosedBSpline::new(12, Form::Periodic, blob(2.0, DVec2::new(5.0, -3.0)), None).unwrap());
+    curves.push(BSpline::new(12, Form::Periodic, blob(2.0, DVec2::new(5.0, -3.0)), None).unwrap());
     let many = (0..40).map(|i| DVec2::from_angle(f64::from(i) * 0.157) * (2.0 + f64::from(i % 3))).collect();
-    curves.push(ClosedBSpline::new(32, Form::Periodic, many, None).unwrap());
+    curves.push(BSpline::new(32, Form::Periodic, many, None).unwrap());
     curves
 }
 
@@ -72,14 +67,14 @@ pub(crate) fn basis(knots: &[f64], i: usize, degree: usize, u: f64) -> f64 {
 }
 
 /// Value of a curve as the sum of all its basis functions times its control points.
-pub(crate) fn slow_point(curve: &ClosedBSpline, u: f64) -> DVec2 {
+pub(crate) fn slow_point(curve: &BSpline, u: f64) -> DVec2 {
     let (knots, points) = (curve.knots(), curve.points());
     let count = knots.len() - curve.degree() - 1;
     (0..count).map(|i| points[i % points.len()] * basis(knots, i, curve.degree(), u)).sum()
 }
 
 /// Parameters spread over the domain that avoid its ends.
-pub(crate) fn spread(curve: &ClosedBSpline, count: usize) -> impl Iterator<Item = f64> + use<> {
+pub(crate) fn spread(curve: &BSpline, count: usize) -> impl Iterator<Item = f64> + use<> {
     let (lo, hi) = curve.domain();
     (0..count).map(move |i| lo + (hi - lo) * (i as f64 + 0.37) / count as f64)
 }

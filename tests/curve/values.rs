@@ -1,6 +1,6 @@
 //! Values, derivatives, area, reversal, refinement, polygons and samples.
 
-use directrix::curve::{ClosedBSpline, Form, Scheme, sample};
+use directrix::curve::{BSpline, Form, Scheme, sample};
 use glam::DVec2;
 
 use crate::support::{
@@ -107,12 +107,8 @@ fn reversal_turns_everything_round() {
             assert_near(back.normal(lo + hi - u), -curve.normal(u), 1e-8);
         }
         assert_eq!(back.reversed().points(), curve.points());
-        let rebuilt = ClosedBSpline::new(
-            back.degree(),
-            back.form(),
-            back.points().to_vec(),
-            Some(back.knots().to_vec()),
-        );
+        let rebuilt =
+            BSpline::new(back.degree(), back.form(), back.points().to_vec(), Some(back.knots().to_vec()));
         assert_near(rebuilt.unwrap().point(0.3), back.point(0.3), 1e-13);
     }
 }
@@ -134,7 +130,7 @@ fn refinement_keeps_area_length_and_meetings() {
 
 #[test]
 fn normals_point_outward_on_a_counter_clockwise_curve() {
-    let blob = ClosedBSpline::new(3, Form::Periodic, blob(1.0, DVec2::ZERO), None).unwrap();
+    let blob = BSpline::new(3, Form::Periodic, blob(1.0, DVec2::ZERO), None).unwrap();
     for u in spread(&blob, 200) {
         let normal = blob.normal(u);
         assert_close(normal.length(), 1.0, 1e-14);

@@ -17,7 +17,7 @@ mod turns;
 
 use glam::DVec2;
 
-use super::closed_bspline::{ClosedBSpline, Form};
+use super::bspline::{BSpline, Form};
 use crate::geom::first_self_contact;
 use distance::distance;
 pub use error::FitError;
@@ -75,7 +75,7 @@ pub struct FitOptions {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     /// Periodic and cubic over [0, 1], from the first point on.
-    pub curve: ClosedBSpline,
+    pub curve: BSpline,
     /// Bound of the distance of every point of the curve from the polyline, of every point of the polyline from
     /// the curve, and of points that were left out from the curve. At most one per cent above the largest distance of opposite
     /// points.
@@ -135,7 +135,7 @@ pub fn fit(points: &[DVec2], options: &FitOptions) -> Result<Fit, FitError> {
     let Found { curve, error } = best;
     let control = curve.points().iter().map(|&p| outline.place(p)).collect();
     let knots = curve.knots()[3..=3 + curve.points().len()].to_vec();
-    let curve = ClosedBSpline::new(3, Form::Periodic, control, Some(knots)).map_err(FitError::Curve)?;
+    let curve = BSpline::new(3, Form::Periodic, control, Some(knots)).map_err(FitError::Curve)?;
     let left_out = trimmed.iter().map(|&index| curve.nearest(points[index]).distance_sq.sqrt());
     let error = left_out.fold(outline.distance(error), f64::max);
     let corners = corners.iter().map(|&k| outline.indices[k]).collect();
@@ -214,7 +214,7 @@ struct Task<'a> {
 
 /// A curve in the coordinates of the outline.
 struct Found {
-    curve: ClosedBSpline,
+    curve: BSpline,
     error: f64,
 }
 
@@ -273,7 +273,7 @@ impl Task<'_> {
     }
 
     /// One periodic curve over [0, 1] of the stretches, starting at the first point.
-    fn joined(&self, splines: Vec<Spline>, whole: f64) -> Result<ClosedBSpline, FitError> {
+    fn joined(&self, splines: Vec<Spline>, whole: f64) -> Result<BSpline, FitError> {
         let closed = self.corners.is_empty();
         let total: f64 = splines.iter().map(|spline| spline.knots.length()).sum();
         debug_assert!(total > 0.0 && whole > 0.0);
@@ -299,9 +299,9 @@ impl Task<'_> {
             let widest = widest.unwrap_or(0);
             let middle = (domain[widest] + domain[widest + 1]) / 2.0;
             let knots = super::knots::extend_periodically(3, &domain);
-            ClosedBSpline::from_checked(3, Form::Periodic, control, knots).insert_knot(middle)
+            BSpline::from_checked(3, Form::Periodic, control, knots).insert_knot(middle)
         } else {
-            ClosedBSpline::new(3, Form::Periodic, control, Some(domain))
+            BSpline::new(3, Form::Periodic, control, Some(domain))
         };
         let curve = curve.map_err(FitError::Curve)?;
         match self.corners.first() {
@@ -311,10 +311,10 @@ impl Task<'_> {
     }
 
     /// The same curve with its seam at the first point, which is no corner.
-    fn started(&self, curve: ClosedBSpline) -> Result<ClosedBSpline, FitError> {
+    fn started(&self, curve: BSpline) -> Result<BSpline, FitError> {
         let u = curve.snap(curve.wrap(curve.nearest(self.outline.points[0]).u));
         let count = curve.points().len();
-        let has = |curve: &ClosedBSpline, u: f64| curve.knots()[3..3 + curve.points().len()].contains(&u);
+        let has = |curve: &BSpline, u: f64| curve.knots()[3..3 + curve.points().len()].contains(&u);
         let curve = if has(&curve, u) { curve } else { curve.insert_knot(u).map_err(FitError::Curve)? };
         debug_assert!(curve.points().len() <= count + 1);
         let count = curve.points().len();
@@ -327,6 +327,6 @@ impl Task<'_> {
             if i == count { 1.0 } else { knot - u }
         });
         let control = (0..count).map(|i| curve.points()[(seam + i) % count]).collect();
-        ClosedBSpline::new(3, Form::Periodic, control, Some(domain.collect())).map_err(FitError::Curve)
+        BSpline::new(3, Form::Periodic, control, Some(domain.collect())).map_err(FitError::Curve)
     }
 }

@@ -163,14 +163,14 @@ impl Spline {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::{ClosedBSpline, Form};
+    use crate::curve::{BSpline, Form};
 
     #[test]
     fn pieces_and_basis_are_those_of_the_checked_curve() {
         let points: Vec<_> =
             (0..6).map(|k| DVec2::from_angle(f64::from(k)) * (1.0 + 0.3 * f64::from(k % 2))).collect();
         let breaks = vec![0.0, 0.1, 0.35, 0.4, 0.7, 0.85, 1.0];
-        let curve = ClosedBSpline::new(3, Form::Periodic, points.clone(), Some(breaks.clone())).unwrap();
+        let curve = BSpline::new(3, Form::Periodic, points.clone(), Some(breaks.clone())).unwrap();
         let spline = Spline::new(Knots::new(breaks, true), points);
         for i in 0..200 {
             let u = f64::from(i) / 200.0;

@@ -7,7 +7,7 @@
 mod cubic;
 mod error;
 
-use crate::curve::ClosedBSpline;
+use crate::curve::BSpline;
 use crate::geom::Bounds;
 use cubic::{Piece, fit};
 pub use error::PathError;
@@ -85,7 +85,7 @@ struct Stretch {
 /// When the tolerance is not a number from [`SMALLEST_TOLERANCE`] to 1 times the diagonal of the box of both curves, or takes too
 /// many commands.
 pub fn path_pair(
-    curves: &[ClosedBSpline; 2],
+    curves: &[BSpline; 2],
     places: &[(f64, f64)],
     tolerance: f64,
 ) -> Result<PathPair, PathError> {
@@ -137,7 +137,7 @@ fn decimals(tolerance: f64) -> usize {
 }
 
 /// Cuts the way round at every line and at every knot of either curve, so that both are polynomials in between.
-fn stretches(curves: &[ClosedBSpline; 2], places: &[(f64, f64)], origin: DVec2) -> Vec<Stretch> {
+fn stretches(curves: &[BSpline; 2], places: &[(f64, f64)], origin: DVec2) -> Vec<Stretch> {
     let Some(&(u, v)) = places.first() else { return Vec::new() };
     let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
     let knots = [curves[0].knots_from(u), curves[1].knots_from(v)];

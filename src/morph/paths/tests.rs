@@ -4,12 +4,12 @@ use super::*;
 use crate::curve::Form;
 use glam::dvec2;
 
-fn star(degree: usize, count: usize, radius: f64, depth: f64) -> ClosedBSpline {
+fn star(degree: usize, count: usize, radius: f64, depth: f64) -> BSpline {
     let point = |k: usize| {
         let turn = std::f64::consts::TAU * k as f64 / count as f64;
         DVec2::from_angle(turn) * radius * (1.0 + depth * (k as f64 * 1.7).sin())
     };
-    ClosedBSpline::new(degree, Form::Periodic, (0..count).map(point).collect(), None).expect("a valid curve")
+    BSpline::new(degree, Form::Periodic, (0..count).map(point).collect(), None).expect("a valid curve")
 }
 
 /// Unevenly spread places, some of which share an end.
@@ -109,7 +109,7 @@ fn open_curves_give_open_paths() {
     let arc = |radius: f64, degree: usize| {
         let points =
             (0..8).map(|k| DVec2::from_angle(0.4 * f64::from(k)) * radius * (1.0 + 0.05 * f64::from(k % 3)));
-        ClosedBSpline::new(degree, Form::Open, points.collect(), None).expect("a valid curve")
+        BSpline::new(degree, Form::Open, points.collect(), None).expect("a valid curve")
     };
     let curves = [arc(1.0, 3), arc(2.0, 4)];
     let even: Vec<_> = (0..=12).map(|k| f64::from(k) / 12.0).map(|t| (t, t * t)).collect();
@@ -136,7 +136,7 @@ fn open_curves_give_open_paths() {
 fn corners_stay_corners() {
     let square = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)].map(DVec2::from);
     let knots = vec![0.0, 0.0, 0.0, 0.5, 0.5, 1.0, 1.0, 1.0];
-    let cornered = ClosedBSpline::new(2, Form::Clamped, square.to_vec(), Some(knots)).expect("a valid curve");
+    let cornered = BSpline::new(2, Form::Clamped, square.to_vec(), Some(knots)).expect("a valid curve");
     let curves = [cornered.clone(), star(3, 12, 5.0, 0.0)];
     let even: Vec<_> = (0..7).map(|k| f64::from(k) / 7.0).map(|t| (t, t)).collect();
     let pair = path_pair(&curves, &even, 0.01).expect("paths");

@@ -21,7 +21,7 @@ test("a new document is empty, says what to do, and keeps the page whole", async
   assert.doesNotMatch(text, /NaN|Infinity|undefined/);
   await page.reload();
   await page.waitForSelector("html[data-ready=true]");
-  assert.ok(await page.locator("[data-empty=draw]").isVisible());
+  await page.locator("[data-empty=draw]").waitFor();
   await page.locator("[data-empty=gallery]").click();
   await page.waitForSelector("[data-panel=gallery]");
 });

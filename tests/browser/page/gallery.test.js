@@ -53,11 +53,12 @@ test("every preset opens from the gallery with its verdict, and the gallery clos
     await openGallery(page);
     await entry(page, id).click();
     await eventually(async () => assert.equal(await field(page, "title").inputValue(), title));
-    assert.equal(await page.locator("[data-panel=gallery]").count(), 0);
+    await eventually(async () => assert.equal(await page.locator("[data-panel=gallery]").count(), 0));
     const verdict = matched ? "verified" : "problems";
     await eventually(async () => assert.equal(await page.locator("#status").getAttribute("data-verdict"), verdict, id));
-    assert.match(await status(page), matched ? /Verified/ : /\d+ problems.*Not covered: \d+ \+ \d+ vertices\. Some see nothing/s);
-    assert.equal(await page.locator("[data-state]").textContent(), "");
+    const words = matched ? /Verified/ : /\d+ problems.*Not covered: \d+ \+ \d+ vertices\. Some see nothing/s;
+    await eventually(async () => assert.match(await status(page), words));
+    await eventually(async () => assert.equal(await page.locator("[data-state]").textContent(), ""));
   }
 });
 

@@ -1,4 +1,4 @@
-//! The closed B-spline curve.
+//! The planar B-spline curve.
 
 use glam::DVec2;
 
@@ -41,9 +41,9 @@ pub enum Form {
 ///
 /// # Examples
 /// ```
-/// use directrix::curve::{ClosedBSpline, Form};
+/// use directrix::curve::{BSpline, Form};
 /// let square = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(glam::DVec2::from).to_vec();
-/// let curve = ClosedBSpline::new(3, Form::Periodic, square, None)?;
+/// let curve = BSpline::new(3, Form::Periodic, square, None)?;
 /// assert!(curve.signed_area() > 0.0);
 /// # Ok::<(), directrix::curve::CurveError>(())
 /// ```
@@ -51,7 +51,7 @@ pub enum Form {
 /// # References
 /// C. de Boor, *A Practical Guide to Splines* (1978).
 #[derive(Debug, Clone, PartialEq)]
-pub struct ClosedBSpline {
+pub struct BSpline {
     degree: usize,
     form: Form,
     /// Control points; a periodic curve repeats the first `degree` ones at the end.
@@ -59,7 +59,7 @@ pub struct ClosedBSpline {
     knots: Vec<f64>,
 }
 
-impl ClosedBSpline {
+impl BSpline {
     /// Checks control points and knots and makes the curve.
     ///
     /// Periodic curves take their distinct control points, n of them, and either all n + 2 degree + 1 knots,
