@@ -1,5 +1,6 @@
 /** A curves document from an edit to its picture. Every run edits the document, so that nothing comes from the cache. */
 import { readFile } from "node:fs/promises";
+import { load } from "../js/node.js";
 
 const preset = async (/** @type {string} */ file) =>
   JSON.parse(await readFile(new URL(`../www/presets/${file}.json`, import.meta.url), "utf8"));
@@ -135,7 +136,10 @@ export default [
   },
   {
     name: "picture as SVG",
-    prepare: (dx) => () => dx.svg(amoeba, frame),
+    async prepare() {
+      const dx = await load({ module: "full" });
+      return () => dx.svg(amoeba, frame);
+    },
   },
   {
     name: "in-between frame at 200 lines, painted",
