@@ -90,7 +90,7 @@ function list(names, indices, patterns) {
 }
 
 /**
- * Pairs of different materials, one on the first curve and one on the second.
+ * Pairs of different materials, one on the first curve and one on the second; the same two only once.
  * @param {CurvesDocument} document
  * @returns {[number, number][]}
  */
@@ -101,7 +101,8 @@ function blends({ curves, materials }) {
   const pairs = first.flatMap((a) =>
     second.flatMap((b) => (a === b ? [] : [/** @type {[number, number]} */ ([a, b])])),
   );
-  return pairs.slice(0, STRIPS);
+  const isNew = (/** @type {number[]} */ [a, b], /** @type {number} */ i) => !pairs.slice(0, i).some(([c, d]) => a === d && b === c);
+  return pairs.filter(isNew).slice(0, STRIPS);
 }
 
 /** @param {CurvesDocument} document @param {number} a @param {number} b */
