@@ -165,20 +165,29 @@ test("a film has its size, its duration and its frames", async (t) => {
       await seeked;
     };
     const pixels = () => {
+      context.clearRect(0, 0, canvas.width, canvas.height);
       context.drawImage(video, 0, 0);
       return context.getImageData(0, 0, canvas.width, canvas.height).data;
     };
+    // A frame is shown some time after it was found.
+    const shown = async (/** @type {(data: Uint8ClampedArray) => boolean} */ isThere) => {
+      for (let tries = 0; tries < 200; tries += 1) {
+        const data = pixels();
+        if (isThere(data)) return data;
+        await new Promise((done) => setTimeout(done, 50));
+      }
+      throw new Error("the frame is not shown");
+    };
     await frameAt(0.01);
-    const first = pixels();
+    const first = await shown((data) => data[3] === 255 && data[0] !== 0);
     const corner = [...first.subarray(0, 3)];
     await frameAt(0.51);
     let differ = 0;
-    // A frame is shown some time after it was found.
-    for (let tries = 0; differ === 0 && tries < 100; tries += 1) {
-      if (tries > 0) await new Promise((done) => setTimeout(done, 50));
-      const second = pixels();
-      for (let i = 0; i < first.length; i += 4) if (Math.abs((first[i] ?? 0) - (second[i] ?? 0)) > 40) differ += 1;
-    }
+    await shown((data) => {
+      differ = 0;
+      for (let i = 0; i < first.length; i += 4) if (Math.abs((first[i] ?? 0) - (data[i] ?? 0)) > 40) differ += 1;
+      return differ > 0;
+    });
     return { duration: video.duration, width: video.videoWidth, height: video.videoHeight, corner, differ };
   }, bytes.toString("base64"));
   assert.deepEqual([result.duration, result.width, result.height], [1, 320, 240]);
