@@ -22,6 +22,7 @@ mod insert;
 mod irredundant;
 mod keep;
 mod lattice;
+mod level;
 mod mean;
 mod measure;
 mod outline;

@@ -2,12 +2,11 @@
 
 use super::even::spread_evenly;
 use super::even_open::spread_between;
-use super::exact::Objective;
 use super::lattice::Survey;
-use super::path::{Path, PathFinder, lines_of};
-use super::place::{end_at, places_of};
+use super::level::Level;
+use super::path::{Path, PathFinder};
+use super::place::end_at;
 use super::refine_open::RefineOpen;
-use super::rounds::Rounds;
 use super::spacing::{Spacing, corner_shares};
 use super::{Ends, Problem, RulingLine, Weights};
 use crate::curve::BSpline;
@@ -16,8 +15,6 @@ use crate::curve::BSpline;
 const FIRST_COUNT: usize = 320;
 /// Samples of each curve beyond which the search ends whatever has been reached.
 const MOST_SAMPLES: usize = 10240;
-/// Relative change from one level to the next below which the search ends.
-const SMALL_CHANGE: f64 = 1e-4;
 /// Rows and columns of the level before that are looked at on either side of its path.
 const HALF_WIDTH: i64 = 2;
 /// The same, at most, where there is no path so near to it.
@@ -102,6 +99,8 @@ pub struct Refine {
     open: Option<Box<RefineOpen>>,
     finder: PathFinder,
     level: Option<Level>,
+    /// Rows and columns of the level before that are looked at on either side of its path.
+    width: i64,
     last: Option<Last>,
 }
 
@@ -113,21 +112,12 @@ struct Last {
     refined: Refined,
 }
 
-#[derive(Debug)]
-struct Level {
-    problem: Problem,
-    /// Rows and columns of the level before that are looked at on either side of its path.
-    width: i64,
-    survey: Survey,
-    rounds: Option<Rounds>,
-}
-
 impl Refine {
     /// A job that has not begun, for two counter-clockwise curves; `gap` is the distance between their planes.
     #[must_use]
     pub fn new(curves: [BSpline; 2], weights: Weights, gap: f64) -> Self {
         let (spacings, finder) = (curves.each_ref().map(Spacing::new), PathFinder::default());
-        Self { spacings, weights, gap, open: None, finder, level: None, last: None }
+        Self { spacings, weights, gap, open: None, finder, level: None, width: WIDEST, last: None }
     }
 
     /// A job that has not begun, for two open curves that run in the direction in which they are matched.
@@ -154,24 +144,7 @@ impl Refine {
                 }
                 continue;
             };
-            let rounds = loop {
-                if let Some(rounds) = &mut level.rounds {
-                    break rounds;
-                }
-                if !level.survey.advance(&level.problem) {
-                    let rule = Objective::Integral.rule();
-                    level.rounds = Some(Rounds::new(level.survey.lattice(), rule));
-                }
-                if !may_go_on() {
-                    return None;
-                }
-            };
-            while rounds.advance(level.survey.lattice(), &mut self.finder) {
-                if !may_go_on() {
-                    return None;
-                }
-            }
-            let path = rounds.best().cloned();
+            let path = level.step(&mut self.finder, may_go_on)?;
             if self.take(path) {
                 return Some(self.last.take().map(|last| last.refined));
             }
@@ -183,31 +156,24 @@ impl Refine {
         let Some(level) = self.level.take() else { return true };
         let Some(path) = path else {
             // Finer samples see less of each other: the path may have to go farther round.
-            let wider = 4 * level.width;
+            let wider = 4 * self.width;
             self.level = (wider <= WIDEST).then(|| self.next_level(wider)).flatten();
             return self.level.is_none();
         };
-        let integral = path.value;
         let before = self.last.as_ref().map(|last| last.refined.integral);
-        let change = before.map(|before| ((integral - before) / integral).abs());
-        let lines = lines_of(level.survey.lattice(), path.cells());
-        let places = places_of(&level.problem, &lines);
-        let has_fans = has_fans(&level.problem, &lines, &places);
-        let has_ended = change.is_some_and(|change| change < SMALL_CHANGE);
-        self.last = Some(Last {
-            path,
-            lines,
-            refined: Refined { integral, change, places, has_fans, problem: level.problem },
-        });
+        let (lines, refined, has_ended) = level.end(&path, before);
+        self.last = Some(Last { path, lines, refined });
         has_ended
     }
 
     /// The level after the last one; `None` when there is none or its samples cannot be matched.
-    fn next_level(&self, width: i64) -> Option<Level> {
+    fn next_level(&mut self, width: i64) -> Option<Level> {
         let Some(Last { path, lines, refined: Refined { problem, .. } }) = &self.last else {
             let outlines = self.spacings.each_ref().map(|spacing| spacing.outline(FIRST_COUNT));
             let problem = Problem::new(outlines, self.weights, self.gap).ok()?;
-            return Some(Level { survey: Survey::new(&problem), problem, width: WIDEST, rounds: None });
+            self.width = WIDEST;
+            let survey = Survey::new(&problem);
+            return Some(Level::new(problem, survey));
         };
         let counts = problem.counts();
         let parts = parts(lines, counts);
@@ -218,7 +184,9 @@ impl Refine {
             [0, 1].map(|axis| self.spacings[axis].finer(&problem.outlines()[axis], &parts[axis]));
         let problem = problem.resampled([first.0, second.0]).ok()?;
         let band = band(path, width, counts, &[first.1, second.1], problem.counts());
-        Some(Level { survey: Survey::within(&problem, band), problem, width, rounds: None })
+        self.width = width;
+        let survey = Survey::within(&problem, band);
+        Some(Level::new(problem, survey))
     }
 }
 
@@ -307,6 +275,7 @@ fn band(
 #[cfg(test)]
 mod tests {
     use super::super::Outline;
+    use super::super::level::SMALL_CHANGE;
     use super::*;
     use crate::curve::{Form, Scheme, sample};
     use glam::{DVec2, dvec2};

@@ -1,11 +1,9 @@
 //! The optimum of J between open curves, on the curves themselves.
 
-use super::exact::Objective;
 use super::lattice::Survey;
-use super::path::{Path, PathFinder, lines_of};
-use super::place::places_of;
-use super::refine::{Refined, has_fans};
-use super::rounds::Rounds;
+use super::level::Level;
+use super::path::{Path, PathFinder};
+use super::refine::Refined;
 use super::{Ends, Outline, Problem, Weights};
 use crate::curve::{BSpline, Scheme, sample};
 
@@ -13,8 +11,6 @@ use crate::curve::{BSpline, Scheme, sample};
 const FIRST_COUNT: usize = 160;
 /// Samples of each curve beyond which the search ends whatever has been reached.
 const MOST_SAMPLES: usize = 5120;
-/// Relative change from one level to the next below which the search ends.
-const SMALL_CHANGE: f64 = 1e-4;
 /// Rows and columns looked at on either side of the path of the level before, which has half as many.
 const HALF_WIDTH: usize = 4;
 
@@ -32,13 +28,6 @@ pub(super) struct RefineOpen {
     finder: PathFinder,
     level: Option<Level>,
     last: Option<(Path, Refined)>,
-}
-
-#[derive(Debug)]
-struct Level {
-    problem: Problem,
-    survey: Survey,
-    rounds: Option<Rounds>,
 }
 
 impl RefineOpen {
@@ -61,24 +50,7 @@ impl RefineOpen {
                 }
                 continue;
             };
-            let rounds = loop {
-                if let Some(rounds) = &mut level.rounds {
-                    break rounds;
-                }
-                if !level.survey.advance(&level.problem) {
-                    let rule = Objective::Integral.rule();
-                    level.rounds = Some(Rounds::new(level.survey.lattice(), rule));
-                }
-                if !may_go_on() {
-                    return None;
-                }
-            };
-            while rounds.advance(level.survey.lattice(), &mut self.finder) {
-                if !may_go_on() {
-                    return None;
-                }
-            }
-            let path = rounds.best().cloned();
+            let path = level.step(&mut self.finder, may_go_on)?;
             if self.take(path) {
                 return Some(self.last.take().map(|last| last.1));
             }
@@ -88,14 +60,9 @@ impl RefineOpen {
     /// Takes the result of the level; returns whether the search has ended.
     fn take(&mut self, path: Option<Path>) -> bool {
         let (Some(level), Some(path)) = (self.level.take(), path) else { return true };
-        let integral = path.value;
         let before = self.last.as_ref().map(|last| last.1.integral);
-        let change = before.map(|before| ((integral - before) / integral).abs());
-        let lines = lines_of(level.survey.lattice(), path.cells());
-        let places = places_of(&level.problem, &lines);
-        let has_fans = has_fans(&level.problem, &lines, &places);
-        let has_ended = change.is_some_and(|change| change < SMALL_CHANGE);
-        self.last = Some((path, Refined { integral, change, places, has_fans, problem: level.problem }));
+        let (_, refined, has_ended) = level.end(&path, before);
+        self.last = Some((path, refined));
         has_ended
     }
 
@@ -121,7 +88,7 @@ impl RefineOpen {
                 (problem, survey)
             }
         };
-        Some(Level { problem, survey, rounds: None })
+        Some(Level::new(problem, survey))
     }
 }
 

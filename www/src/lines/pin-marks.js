@@ -7,6 +7,7 @@
  *
  * @typedef {{pin: number, end: "u" | "v"} | {line: number, end: "u" | "v"}} Mark
  */
+import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
 import { attribute, find, h, svg } from "../dom.js";
 import { fixed } from "../format.js";
@@ -126,8 +127,6 @@ export function createPinMarks(app) {
   /** @param {PointerEvent} down @param {Mark} mark */
   function drag(down, mark) {
     const name = newRun("pin drag");
-    const over = new AbortController();
-    const { signal } = over;
     const curve = app.store.document.curves[ENDS.indexOf(mark.end)];
     let held = mark;
     let moved = false;
@@ -146,7 +145,6 @@ export function createPinMarks(app) {
     };
     /** @param {boolean} undo */
     const finish = (undo) => {
-      over.abort();
       delete layer.dataset.drag;
       if (undo) app.store.cancel(name);
       app.store.endRun();
@@ -155,18 +153,7 @@ export function createPinMarks(app) {
       speak(held);
     };
     layer.dataset.drag = "";
-    addEventListener("pointermove", move, { signal });
-    addEventListener("pointerup", () => finish(false), { signal });
-    addEventListener("pointercancel", () => finish(true), { signal });
-    addEventListener(
-      "keydown",
-      (event) => {
-        if (event.key !== "Escape") return;
-        event.stopPropagation();
-        finish(true);
-      },
-      { signal, capture: true },
-    );
+    whileHeld({ move, finish });
   }
 
   /** @param {number} count */

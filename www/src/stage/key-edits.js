@@ -6,6 +6,7 @@
  *
  * @typedef {{curve: 0 | 1, index: number}} Key
  */
+import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
 import { fixed, percent } from "../format.js";
 import { curveName } from "../state/app.js";
@@ -152,7 +153,6 @@ export function dragKey(app, down, key, fractionAt) {
   const composition = () => app.store.document.curves[key.curve].composition;
   const open = isOpen(app.store.document.curves[key.curve]);
   const grip = shortWay(fractionAt(down), composition()[key.index].at, open);
-  const over = new AbortController();
   let held = key;
   let moved = false;
   /** @param {PointerEvent} event */
@@ -164,24 +164,11 @@ export function dragKey(app, down, key, fractionAt) {
   };
   /** @param {boolean} undo */
   const finish = (undo) => {
-    over.abort();
     if (undo) app.store.cancel(name);
     app.store.endRun();
     if (moved && !undo) app.say(spokenKey(app.store.document, held));
   };
-  const { signal } = over;
-  addEventListener("pointermove", move, { signal });
-  addEventListener("pointerup", () => finish(false), { signal });
-  addEventListener("pointercancel", () => finish(true), { signal });
-  addEventListener(
-    "keydown",
-    (event) => {
-      if (event.key !== "Escape") return;
-      event.stopPropagation();
-      finish(true);
-    },
-    { signal, capture: true },
-  );
+  whileHeld({ move, finish });
 }
 
 /**

@@ -1,0 +1,64 @@
+//! The search for the best path on one level of a refinement.
+
+use super::exact::Objective;
+use super::lattice::Survey;
+use super::path::{Path, PathFinder, lines_of};
+use super::place::places_of;
+use super::refine::{Refined, has_fans};
+use super::rounds::Rounds;
+use super::{Problem, RulingLine};
+
+/// Relative change from one level to the next below which a refinement ends.
+pub(super) const SMALL_CHANGE: f64 = 1e-4;
+
+/// Samples of two curves, and the path of greatest J among them, as a job that advances in steps.
+#[derive(Debug)]
+pub(super) struct Level {
+    problem: Problem,
+    survey: Survey,
+    rounds: Option<Rounds>,
+}
+
+impl Level {
+    /// A search that has not begun.
+    pub(super) fn new(problem: Problem, survey: Survey) -> Self {
+        Self { problem, survey, rounds: None }
+    }
+
+    /// Advances while `may_go_on` says so, at least by a little. Returns the best path when it is found, or an inner `None` where there is none.
+    pub(super) fn step(
+        &mut self,
+        finder: &mut PathFinder,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Option<Option<Path>> {
+        let rounds = loop {
+            if let Some(rounds) = &mut self.rounds {
+                break rounds;
+            }
+            if !self.survey.advance(&self.problem) {
+                self.rounds = Some(Rounds::new(self.survey.lattice(), Objective::Integral.rule()));
+            }
+            if !may_go_on() {
+                return None;
+            }
+        };
+        while rounds.advance(self.survey.lattice(), finder) {
+            if !may_go_on() {
+                return None;
+            }
+        }
+        Some(rounds.best().cloned())
+    }
+
+    /// What a path found on this level gives after a level with the integral `before`: its lines, the correspondence, and whether the
+    /// integral has stopped changing.
+    pub(super) fn end(self, path: &Path, before: Option<f64>) -> (Vec<RulingLine>, Refined, bool) {
+        let integral = path.value;
+        let change = before.map(|before| ((integral - before) / integral).abs());
+        let lines = lines_of(self.survey.lattice(), path.cells());
+        let places = places_of(&self.problem, &lines);
+        let has_fans = has_fans(&self.problem, &lines, &places);
+        let refined = Refined { integral, change, places, has_fans, problem: self.problem };
+        (lines, refined, change.is_some_and(|change| change < SMALL_CHANGE))
+    }
+}
