@@ -31,7 +31,7 @@ export const words = {
 
   notes: {
     svg: {
-      figure: "The figure as on screen stands still, its in-between moves. Plays in every browser, also as an image.",
+      figure: "The figure as on screen stands still, its in-between moves. Plays as an image too.",
       shape: "The in-between alone, in its materials: one colour for each piece of it, so finer along the curve with more lines.",
     },
     png: (/** @type {string} */ size) => `The figure as on screen, one picture a frame, in a zip. Up to 600 frames; at most ${size} in all.`,
