@@ -1,5 +1,5 @@
 /**
- * Animations inside SVG. They play in every browser, without scripts, and so inside an image as well.
+ * Animations inside SVG. They need no scripts, and so play inside an image as well; tried in Chromium.
  *
  * @import { Motion } from "./motion.js"
  */
