@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { load } from "directrix";
+import { cellsCsv, cellsJson } from "../../www/src/cells/tables.js";
 
 const dx = await load();
 const figure = await load({ module: "figure" });
@@ -72,4 +73,31 @@ test("without a band there are no amounts, and the small module says where they 
   assert.equal(dx.amounts(preset("letter-s")) === null, dx.cells(preset("letter-s")).length === 0);
   assert.throws(() => figure.amounts(preset("amoeba")), { code: "not-in-module" });
   assert.throws(() => dx.amounts(/** @type {any} */ ({ directrix: 1 })), { name: "DirectrixError" });
+});
+
+test("tables name units, tell equal names apart, and come back digit for digit", () => {
+  const document = preset("three-materials");
+  const [cells, amounts] = [dx.cells(document), dx.amounts(document)];
+  assert.ok(amounts);
+  const names = ['glass, "clear"', "steel", "steel"];
+  const [head, ...rows] = cellsCsv(cells, names, "µm").trimEnd().split("\n");
+  assert.ok(head.startsWith("line,stage,x1 [µm],y1 [µm],"));
+  assert.ok(head.endsWith(',area [µm²],centroid x [µm],centroid y [µm],folded,"glass, ""clear""",steel,steel 2'));
+  assert.deepEqual(
+    rows.map((row) => row.split(",").map((cell, k) => (k === 13 ? cell === "true" : Number(cell)))),
+    cells.map(({ line, stage, corners, area, centroid, folded, fractions }) => [
+      ...[line, stage, ...corners.flat(), area, ...centroid, folded, ...fractions],
+    ]),
+  );
+  assert.ok(cellsCsv(cells, names, "").startsWith("line,stage,x1,y1,"), "no unit, no brackets");
+  const materials = amounts.materials.map((material, k) => ({ ...material, name: names[k] }));
+  const read = JSON.parse(cellsJson(cells, { ...amounts, materials }, "Three"));
+  assert.deepEqual([read.title, read.unit, read.area, read.body, read.rise], ["Three", amounts.unit, amounts.area, amounts.body, 0]);
+  assert.deepEqual(read.materials.map((/** @type {any} */ { name, amount }) => [name, amount]), [
+    ...["glass, \"clear\"", "steel", "steel 2"].map((name, k) => [name, amounts.materials[k].amount]),
+  ]);
+  assert.deepEqual(
+    read.cells.map((/** @type {any} */ { mix, ...cell }) => ({ ...cell, fractions: [mix[names[0]], mix.steel, mix["steel 2"]] })),
+    cells.map(({ line, stage, corners, area, centroid, folded, fractions }) => ({ line, stage, corners, area, centroid, folded, fractions })),
+  );
 });
