@@ -13,6 +13,7 @@
 //! [`OnePerVertex`], [`best_shift`], [`irredundant`] and [`best_mean`] are there for comparison.
 
 mod chain;
+mod course;
 mod details;
 mod even;
 mod even_open;
