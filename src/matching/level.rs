@@ -1,6 +1,6 @@
 //! The search for the best path on one level of a refinement.
 
-use super::exact::Objective;
+use super::Objective;
 use super::lattice::Survey;
 use super::path::{Path, PathFinder, lines_of};
 use super::place::places_of;
