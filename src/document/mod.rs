@@ -4,6 +4,8 @@
 //! [`CurvesDocument`] or says which field is wrong; [`Model`] holds its curves ready for evaluation; [`Solve`] is
 //! the job that matches them. The format itself is described in `docs/format.md`.
 
+#[cfg(feature = "amounts")]
+mod amounts;
 mod diagnostic;
 mod direction;
 mod error;
@@ -21,6 +23,8 @@ mod schema;
 mod solve;
 mod work;
 
+#[cfg(feature = "amounts")]
+pub use amounts::{BandAmounts, amounts};
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
