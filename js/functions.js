@@ -17,4 +17,6 @@ export const FUNCTIONS = /** @type {const} */ ([
   "fitCurve",
   "morphPaths",
   "amounts",
+  "solid",
+  "solidFile",
 ]);

@@ -20,7 +20,15 @@ mod node;
 mod paths;
 mod read;
 mod schema;
+#[cfg(feature = "solid")]
+mod solid;
+#[cfg(feature = "solid")]
+mod solid_job;
+#[cfg(feature = "solid")]
+mod solid_options;
 mod solve;
+#[cfg(feature = "solid")]
+mod space;
 mod work;
 
 #[cfg(feature = "amounts")]
@@ -44,4 +52,10 @@ pub use schema::{
     MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule, Sampling,
     SamplingScheme, Shift, View,
 };
+#[cfg(feature = "solid")]
+pub use solid::{Solid, SolidRemark, flat, why_no_solid};
+#[cfg(feature = "solid")]
+pub use solid_job::{MOST_VERTICES, SolidJob};
+#[cfg(feature = "solid")]
+pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};
