@@ -4,6 +4,7 @@
 //! [`CurvesDocument`] or says which field is wrong; [`Model`] holds its curves ready for evaluation; [`Solve`] is
 //! the job that matches them. The format itself is described in `docs/format.md`.
 
+mod control_points;
 mod diagnostic;
 mod direction;
 mod error;
@@ -16,6 +17,8 @@ mod model;
 mod node;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "solid")]
+mod projection;
 mod read;
 mod schema;
 #[cfg(feature = "solid")]
@@ -29,6 +32,7 @@ mod solve;
 mod space;
 mod work;
 
+pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
@@ -40,6 +44,8 @@ pub use model::Model;
 pub(crate) use node::Node;
 #[cfg(feature = "paths")]
 pub use paths::{PathOptions, paths};
+#[cfg(feature = "solid")]
+pub use projection::Projection;
 pub use read::{LONGEST_TEXT, check_length, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub use read::{read_text, write_text};
