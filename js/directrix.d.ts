@@ -278,13 +278,55 @@ export interface Stage {
   points: Point[];
 }
 
-/** The quadrilateral between two ruling lines and two stages. */
+/** The quadrilateral between two ruling lines and two stages: a bilinear patch. */
 export interface UnitCell {
   line: number;
   stage: number;
+  /** Along the line to the next stage, then on the next line back: counter-clockwise where the first curve is the inner one. */
   corners: [Point, Point, Point, Point];
-  /** Mean fraction of each material. */
+  /** In the square of the unit; parts that are turned over against the band as a whole count as negative. */
+  area: number;
+  /** Centre of the area; of a folded cell the mean of the corners. */
+  centroid: Point;
+  /** Mean fraction of each material over the area; of a folded cell over the corners. */
   fractions: number[];
+  /** Whether the cell is turned over, in part or as a whole. */
+  folded: boolean;
+}
+
+/** What a band holds of one material. */
+export interface MaterialAmount {
+  name: string;
+  /** Whether it is empty space. */
+  void: boolean;
+  /** Integral of its fraction over the area, in the square of the unit. */
+  amount: number;
+  /** Share of the whole band, empty space included. */
+  share: number;
+}
+
+/** Areas in the plane, of curves at different heights those of the projection, in the square of the unit. */
+export interface Amounts {
+  /** The unit of the document. */
+  unit: string;
+  /** Area of the band between the curves themselves. */
+  area: number;
+  /** The same without what is empty space. */
+  body: number;
+  /** Estimated error of the area and of every amount. */
+  error: number;
+  materials: MaterialAmount[];
+  /** The same in the unit cells, whose sides are chords of the curves. */
+  cells: {
+    area: number;
+    amounts: number[];
+    /** Largest difference of the area or an amount from the exact one. */
+    difference: number;
+    /** Number of lines from which to the next one the band is turned over, at least in part. */
+    folded: number;
+  };
+  /** Difference of the heights of the curves. */
+  rise: number;
 }
 
 /** The lines that part the places with at least a fraction of one material from the others. */
@@ -609,6 +651,10 @@ export interface Directrix {
    * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
    */
   morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
+  /**
+   * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
+   */
+  amounts(document: DocumentInput): Amounts | null;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   solid(document: DocumentInput, options?: SolidOptions): Solid;
   /**

@@ -4,6 +4,8 @@
 //! [`CurvesDocument`] or says which field is wrong; [`Model`] holds its curves ready for evaluation; [`Solve`] is
 //! the job that matches them. The format itself is described in `docs/format.md`.
 
+#[cfg(feature = "amounts")]
+mod amounts;
 mod control_points;
 mod diagnostic;
 mod direction;
@@ -32,6 +34,8 @@ mod solve;
 mod space;
 mod work;
 
+#[cfg(feature = "amounts")]
+pub use amounts::{BandAmounts, amounts};
 pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};

@@ -193,6 +193,15 @@ impl Model {
         self.profiles[curve].at(if drawn < 1.0 { drawn } else { 0.0 })
     }
 
+    /// Parameters of the keys of the composition along a curve, between which it is linear.
+    #[cfg(feature = "amounts")]
+    #[must_use]
+    pub fn key_parameters(&self, curve: usize) -> Vec<f64> {
+        let (lo, hi) = self.curves[curve].domain();
+        let oriented = |at: f64| if self.reversed[curve] { 1.0 - at } else { at };
+        self.profiles[curve].keys().iter().map(|&(at, _)| lo + oriented(at) * (hi - lo)).collect()
+    }
+
     /// What becomes of the ends of open curves; `None` for closed ones.
     #[must_use]
     pub fn ends(&self) -> Option<Ends> {

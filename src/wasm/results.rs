@@ -145,7 +145,10 @@ pub(super) struct CellResult {
     line: usize,
     stage: usize,
     corners: [[f64; 2]; 4],
+    area: f64,
+    centroid: [f64; 2],
     fractions: Vec<f64>,
+    folded: bool,
 }
 
 #[derive(Serialize)]
@@ -375,7 +378,10 @@ pub(super) fn cells(band: &Band, document: &CurvesDocument) -> Vec<CellResult> {
         line: cell.line,
         stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
         corners: cell.corners.map(|corner| corner.to_array()),
+        area: cell.area,
+        centroid: cell.centroid.to_array(),
         fractions: cell.composition.fractions().to_vec(),
+        folded: cell.is_folded,
     };
     unit_cells(band, segments).into_iter().map(convert).collect()
 }
