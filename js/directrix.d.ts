@@ -88,8 +88,32 @@ export interface CurvesDocument {
   view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number; patterns?: boolean };
 }
 
+/** A point [x, y, z] in document units, z up. */
+export type SpacePoint = [number, number, number];
+
+/** A curves document whose control points all lie in space; the module `full` reads it. */
+export interface SpaceDocument extends Omit<CurvesDocument, "curves"> {
+  curves: (Omit<Curve, "points" | "height"> & { points: SpacePoint[] })[];
+}
+
 /** A document as an object, or its JSON text. */
-export type DocumentInput = CurvesDocument | string;
+export type DocumentInput = CurvesDocument | SpaceDocument | string;
+
+/** What the matching of curves in space takes for granted: they are seen along one direction, each as lying at its mean height. */
+export interface Projection {
+  /** The point of the plane of the first curve that is nearest to the origin of the document. */
+  origin: SpacePoint;
+  /** Unit vector along which the curves are seen, normal of the planes. */
+  normal: SpacePoint;
+  /** Unit vectors along x and y of the plane in which results speak. */
+  axes: [SpacePoint, SpacePoint];
+  /** Mean height of each curve along the normal, which stands for the height of a plane curve. */
+  heights: number[];
+  /** Greatest distance of a curve from its mean height. */
+  deviation: number;
+  /** What is assumed, in words. */
+  assumed: string;
+}
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
@@ -194,6 +218,8 @@ export interface Match {
   optimumChange: number | null;
   /** Whether the refinement on the curves was left out, which a call without `coarse` does. */
   coarse: boolean;
+  /** Of curves in space. */
+  projection?: Projection;
 }
 
 export interface MatchOptions {
@@ -595,7 +621,8 @@ export interface Solid {
   /** Volume inside; null unless `watertight`. */
   volume: number | null;
   area: number;
-  projection: null;
+  /** Of curves in space; else null. */
+  projection: Projection | null;
 }
 
 /** The functions of a module. All throw `DirectrixError`. */
