@@ -23,6 +23,7 @@ const commands = {
   figure: "Figure",
   steps: "Steps of the greedy growth",
   compare: "Compare methods",
+  solid: "Solid in three dimensions",
   fit: "Fit the figure",
   zoomIn: "Zoom in",
   zoomOut: "Zoom out",
