@@ -113,6 +113,8 @@ export function createApi(engine) {
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
     morphPaths: (document, options = {}) =>
       ask(() => whole(engine, "morphPaths").morphPaths(toText(document), toText(options, "options"))),
+    solid: (document, options = {}) =>
+      ask(() => whole(engine, "solid").solid(toText(document), toText(options, "options"))),
     job(document, { paint, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       const text = ask(() => (greedy ? greedyText(engine, document) : toText(document)));
       /** @type {import("./pkg/directrix.js").Painting | undefined} */

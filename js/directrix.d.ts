@@ -93,7 +93,7 @@ export type DocumentInput = CurvesDocument | string;
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "flat" | "open-sheet" | "uncapped" | "rounded";
   message: string;
   curve?: number;
   vertices?: number[];
@@ -480,6 +480,65 @@ export interface MorphPaths {
   fractions: [number[][], number[][]];
 }
 
+export interface SolidOptions {
+  /** Number of steps from curve to curve, 1 to 200. Default: that of the document. */
+  stages?: number;
+  /** Whether the rims of closed curves get caps. Default true. */
+  caps?: boolean;
+  /**
+   * What the colours say: the mix of materials, the fraction of one by its index, the twist of the ruling lines, or the angle between the normals of
+   * the surface at both ends of a line. Default `material`.
+   */
+  color?: "material" | { material: number } | "twist" | "flank";
+}
+
+/** Triangles of one part of a solid. */
+export interface SolidGroup {
+  name: "surface" | "cap";
+  /** Of a cap: the number of its curve. */
+  curve?: number;
+  /** Of the first one in `indices`. */
+  start: number;
+  /** In `indices`. */
+  count: number;
+}
+
+/** The ruled surface of a document in space, in the unit of the document, z up; empty where there is none. */
+export interface Solid {
+  /** Whether the matching is complete and there is a surface, which is watertight unless it is open or caps were not asked for. */
+  ok: boolean;
+  diagnostics: Diagnostic[];
+  /** Three numbers a vertex. Vertices at creases and rims are there once for each side. */
+  positions: Float32Array;
+  /** Three numbers a vertex: unit normals, outwards. */
+  normals: Float32Array;
+  /** Four numbers a vertex: sRGB and 255. */
+  colors: Uint8Array;
+  /** As many numbers a vertex as there are materials. */
+  fractions: Float32Array;
+  /** With the colours `twist` and `flank`: degrees at each vertex. */
+  scalar: Float32Array | null;
+  /** What the ends of the map of colours stand for: fractions or degrees; null with the colours `material`. */
+  range: [number, number] | null;
+  /** Three vertices a triangle, counter-clockwise from outside. */
+  indices: Uint32Array;
+  groups: SolidGroup[];
+  /** Six numbers a line of the matching: its ends on the first and the second curve. */
+  rulings: Float32Array;
+  /** In-between curves j = 0 to M from the first curve on: polylines x, y, z over all rulings, closed between closed curves. */
+  stages: Float32Array[];
+  /** The two curves, as such polylines. */
+  curves: Float32Array[];
+  /** null where there is no surface. */
+  bounds: { min: [number, number, number]; max: [number, number, number] } | null;
+  /** Whether every edge belongs to two triangles that run along it in opposite directions, where vertices with the same position are one. */
+  watertight: boolean;
+  /** Volume inside; null unless `watertight`. */
+  volume: number | null;
+  area: number;
+  projection: null;
+}
+
 /** The functions of a module. All throw `DirectrixError`. */
 export interface Directrix {
   match(document: DocumentInput, options?: MatchOptions): Match;
@@ -506,6 +565,8 @@ export interface Directrix {
    * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
    */
   morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  solid(document: DocumentInput, options?: SolidOptions): Solid;
   /** With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for. */
   job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions; greedy?: boolean }): Job;
 }

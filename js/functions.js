@@ -16,4 +16,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "readShapes",
   "fitCurve",
   "morphPaths",
+  "solid",
 ]);

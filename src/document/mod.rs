@@ -18,6 +18,10 @@ mod node;
 mod paths;
 mod read;
 mod schema;
+#[cfg(feature = "solid")]
+mod solid;
+#[cfg(feature = "solid")]
+mod solid_options;
 mod solve;
 mod work;
 
@@ -40,4 +44,8 @@ pub use schema::{
     MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule, Sampling,
     SamplingScheme, Shift, View,
 };
+#[cfg(feature = "solid")]
+pub use solid::{MOST_VERTICES, Solid, SolidRemark, flat};
+#[cfg(feature = "solid")]
+pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};

@@ -171,7 +171,7 @@ impl<'a> Node<'a> {
     }
 
     /// Tells whether the value is an object.
-    #[cfg(feature = "import")]
+    #[cfg(any(feature = "import", feature = "solid"))]
     pub(crate) fn is_object(&self) -> bool {
         matches!(self.value, Json::Object(_))
     }

@@ -89,7 +89,7 @@ struct LineTotals {
 }
 
 #[derive(Serialize)]
-struct DiagnosticResult {
+pub(super) struct DiagnosticResult {
     code: &'static str,
     message: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -247,20 +247,32 @@ fn line_totals(totals: &Totals, details: Option<Details>) -> LineTotals {
     }
 }
 
-impl From<&Diagnostic> for DiagnosticResult {
-    fn from(diagnostic: &Diagnostic) -> Self {
-        let mut result = Self {
-            code: diagnostic.code(),
-            message: diagnostic.to_string(),
-            curve: None,
+impl DiagnosticResult {
+    /// A remark that speaks of nothing more than a curve and a place.
+    pub(super) fn remark(
+        code: &'static str,
+        message: String,
+        curve: Option<usize>,
+        at: Option<DVec2>,
+    ) -> Self {
+        Self {
+            code,
+            message,
+            curve,
             vertices: None,
             lines: None,
             pins: None,
             reason: None,
             parameter: None,
             turn: None,
-            at: None,
-        };
+            at: at.map(|at| at.to_array()),
+        }
+    }
+}
+
+impl From<&Diagnostic> for DiagnosticResult {
+    fn from(diagnostic: &Diagnostic) -> Self {
+        let mut result = Self::remark(diagnostic.code(), diagnostic.to_string(), None, None);
         match diagnostic {
             Diagnostic::Corner { curve, parameter, at, turn } => {
                 result.curve = Some(*curve);
