@@ -1,10 +1,9 @@
 /**
  * A solid as objects of a scene: surface and caps in the colours of the kernel, ruling lines, stages, curves, cuts and shadow.
  *
- * @import { Solid } from "../../../js/directrix.js"
  * @import { Space } from "../space/space.js"
  * @import { Plane } from "../space/plane.js"
- * @import { SolidLayer } from "./state.js"
+ * @import { SolidLayer, Whole } from "./state.js"
  *
  * @typedef {object} Cuts
  * @property {Plane | null} upTo
@@ -36,8 +35,9 @@ export class Body {
   #curves = new Lines(this.#planes, { color: "#17191d", width: 2, order: 12 });
   #edges = new Lines(this.#planes, { color: "#101216", width: 0.5, opacity: 0.4, order: 9 });
   #shadow = new Shadow();
-  /** @type {Solid | null} */
+  /** @type {Whole | null} */
   #solid = null;
+  /** @type {Float32Array} */
   #labs = new Float32Array(0);
   #hasEdges = false;
 
@@ -54,8 +54,12 @@ export class Body {
     );
   }
 
-  /** @param {Solid} solid @param {boolean} isClosed whether its curves are */
-  set(solid, isClosed) {
+  /**
+   * @param {Whole} solid
+   * @param {boolean} isClosed whether its curves are
+   * @param {Float32Array[]} stages the in-between curves that are shown
+   */
+  set(solid, isClosed, stages) {
     this.#solid = solid;
     this.#labs = labsOf(solid.colors);
     this.#attributes.dispose();
@@ -75,7 +79,7 @@ export class Body {
       mesh.geometry.setDrawRange(start, groups.reduce((sum, { count }) => sum + count, 0));
     }
     this.#rulings.set(solid.rulings);
-    this.#stages.set(segmentsOf(solid.stages, isClosed));
+    this.#stages.set(segmentsOf(stages, isClosed));
     this.#curves.set(segmentsOf(solid.curves, isClosed));
     this.#hasEdges = false;
     this.#shadow.set(isClosed ? solid.curves : [], solid.bounds);
@@ -135,7 +139,7 @@ export class Body {
   }
 }
 
-/** Every edge of a mesh once, as segments. @param {Pick<Solid, "positions" | "indices">} mesh */
+/** Every edge of a mesh once, as segments. @param {Pick<Whole, "positions" | "indices">} mesh */
 export function edgesOf({ positions, indices }) {
   const count = positions.length / 3;
   /** @type {Set<number>} */

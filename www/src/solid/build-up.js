@@ -8,6 +8,7 @@ import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { shownKey } from "../commands.js";
+import { segmentsOf } from "../stage/morph.js";
 import { curveName } from "../state/app.js";
 import { words } from "./words.js";
 
@@ -54,7 +55,7 @@ export function createBuildUp(app, { read, set, rest }) {
   let face = "";
   let isPossible = false;
 
-  const segments = () => app.store.document.blend.stages;
+  const segments = () => segmentsOf(app.store.document);
 
   function stop() {
     cancelAnimationFrame(frame);

@@ -69,7 +69,7 @@ function bodyGroup(app, now) {
         solid
           ? [
               [words.body.size, words.body.phrase(sidesOf(solid), unit), "size"],
-              [words.body.volume, solid.watertight ? measure(solid.volume, unit, 3) : words.body.open, "volume"],
+              [words.body.volume, solid.volume === null ? words.body.open : measure(solid.volume, unit, 3), "volume"],
               [words.body.area, measure(solid.area, unit, 2), "area"],
               [words.body.triangles, fixed(solid.indices.length / 3, 0), "triangles"],
               ...(worst.twist === null ? [] : [[words.body.twist, `${fixed(worst.twist, 1)}°`, "twist"]]),

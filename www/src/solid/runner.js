@@ -16,6 +16,7 @@
  */
 import { problem } from "../painter.js";
 import { Lane } from "../state/lane.js";
+import { rowsOf } from "./state.js";
 
 /** Milliseconds of rest before the angles are asked for. */
 const REST = 300;
@@ -40,12 +41,12 @@ export function createRunner(app, { changed, measured, interrupted }) {
       const started = performance.now();
       const onprogress = (/** @type {number} */ progress) => results.set({ progress });
       try {
-        const solid = await kernel.solid(document, { color }, { signal, onprogress });
-        return { document, solid, problem: null, ms: performance.now() - started };
+        const solid = await kernel.solid(document, { color, stages: rowsOf(document) }, { signal, onprogress });
+        return /** @type {Outcome} */ ({ document, solid, problem: null, ms: performance.now() - started });
       } catch (error) {
         const reason = problem(error);
         if (reason.name === "AbortError" || reason.code === "trap") throw error;
-        return { document, solid: null, problem: reason, ms: null };
+        return /** @type {Outcome} */ ({ document, solid: null, problem: reason, ms: null });
       }
     },
     done(outcome, wanted) {

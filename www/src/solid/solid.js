@@ -5,6 +5,7 @@
  * @import { Place, View as ModeView } from "../modes/modes.js"
  * @import { CurvesDocument } from "../types.js"
  * @import { Known } from "./status.js"
+ * @import { Whole } from "./state.js"
  */
 import "../../styles/space.css";
 import "../../styles/solid.css";
@@ -115,8 +116,10 @@ export function createSolid(app, { stage, aside, status }) {
     changed({ document, solid, problem, ms }) {
       answered = document;
       const reason = problem ? explain(document, problem) : solid?.ok ? null : reasonOf(solid);
-      known = { ...known, solid: solid?.ok ? solid : null, ms, reason };
-      if (solid?.ok) frameOf(solid);
+      const { bounds = null } = solid ?? {};
+      const whole = solid?.ok && bounds ? { ...solid, bounds } : null;
+      known = { ...known, solid: whole, ms, reason };
+      if (whole) frameOf(whole);
       document === store.document && tell();
       globalThis.document.documentElement.dataset.ready = "true";
       render();
@@ -157,7 +160,7 @@ export function createSolid(app, { stage, aside, status }) {
     );
   }
 
-  /** Shows a new solid from where it was seen before, or as a whole. @param {import("../../../js/directrix.js").Solid} solid */
+  /** Shows a new solid from where it was seen before, or as a whole. @param {Whole} solid */
   function frameOf(solid) {
     if (!view) return;
     view.setSolid(solid, isClosed());
@@ -294,7 +297,7 @@ export function createSolid(app, { stage, aside, status }) {
     return words.spoken.summary([
       solid.watertight ? words.status.watertight : isClosed() ? words.status.leaks : words.status.open,
       words.spoken.size(sidesOf(solid), unit),
-      ...(solid.watertight ? [words.spoken.volume(measure(solid.volume, unit, 3))] : []),
+      ...(solid.volume === null ? [] : [words.spoken.volume(measure(solid.volume, unit, 3))]),
       words.spoken.area(measure(solid.area, unit, 2)),
       ...(worst.twist === null ? [] : [words.spoken.twist(fixed(worst.twist, 1))]),
       ...(worst.flank === null ? [] : [words.spoken.flank(fixed(worst.flank, 1))]),

@@ -2,11 +2,13 @@
  * What the picture of the solid shows besides the document: kept with the page, never in the document.
  *
  * @import { App } from "../state/app.js"
+ * @import { CurvesDocument } from "../types.js"
  * @import { Camera } from "../space/camera.js"
  * @import { Vector } from "../space/vector.js"
  * @import { Plane } from "../space/plane.js"
  * @import { Solid, SolidOptions } from "../../../js/directrix.js"
  *
+ * @typedef {Solid & {bounds: NonNullable<Solid["bounds"]>}} Whole A solid that is there.
  * @typedef {"rulings" | "stages" | "curves" | "caps" | "light" | "wireframe"} SolidLayer
  * @typedef {"material" | "fraction" | "twist" | "flank"} SolidColor
  * @typedef {"off" | "x" | "y" | "z" | "view"} SectionAxis
@@ -26,6 +28,7 @@
  */
 import { extentAlong } from "../space/plane.js";
 import { scaled } from "../space/vector.js";
+import { segmentsOf } from "../stage/morph.js";
 
 export const SOLID_LAYERS = /** @type {const} */ (["rulings", "stages", "curves", "caps", "light", "wireframe"]);
 
@@ -77,6 +80,27 @@ export function sectionPlane({ axis, at, flipped }, positions, back) {
   const offset = extent[0] + at * (extent[1] - extent[0]);
   const same = normal[0] * along[0] + normal[1] * along[1] + normal[2] * along[2] > 0;
   return { plane: { normal, offset: same ? offset : -offset }, extent };
+}
+
+/** Rows of the mesh from curve to curve at least, so that the surface looks smooth. */
+const ROWS = 24;
+/** Rows that the kernel makes at most. */
+const MOST_ROWS = 200;
+
+/** Rows of the mesh of a document: a multiple of its stages, each of which is a row. @param {CurvesDocument} document */
+export function rowsOf(document) {
+  const stages = segmentsOf(document);
+  return Math.min(MOST_ROWS, stages * Math.ceil(ROWS / stages));
+}
+
+/**
+ * The in-between curves of a document among the rows of its mesh.
+ * @param {CurvesDocument} document
+ * @param {Float32Array[]} rows the first and the last of which are curves
+ */
+export function stagesAmong(document, rows) {
+  const every = Math.round((rows.length - 1) / segmentsOf(document));
+  return every < 1 ? [] : rows.slice(1, -1).filter((_, i) => (i + 1) % every === 0);
 }
 
 /**

@@ -2,10 +2,10 @@
  * The status line of the solid: whether it is closed, and its measures.
  *
  * @import { App } from "../state/app.js"
- * @import { Solid } from "../../../js/directrix.js"
+ * @import { Whole } from "./state.js"
  *
  * @typedef {object} Known What is known of the open document's solid.
- * @property {Solid | null} solid
+ * @property {Whole | null} solid
  * @property {{twist: number | null, flank: number | null}} worst degrees
  * @property {number | null} ms
  * @property {string | null} reason why there is no solid
@@ -29,7 +29,7 @@ export function renderStatus(app, element, { solid, worst, ms, reason, cancel, r
         verdictOf(verdict),
         item("triangles", strong(fixed(solid.indices.length / 3, 0)), label(words.status.triangles(solid.indices.length / 3))),
         item("size", label(words.status.size), strong(words.body.phrase(sidesOf(solid), unit))),
-        solid.watertight ? item("volume", label(words.status.volume), strong(measure(solid.volume, unit, 3))) : null,
+        solid.volume === null ? null : item("volume", label(words.status.volume), strong(measure(solid.volume, unit, 3))),
         item("area", label(words.status.area), strong(measure(solid.area, unit, 2))),
         ...angles(worst),
         ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.status.ms)),
@@ -38,7 +38,7 @@ export function renderStatus(app, element, { solid, worst, ms, reason, cancel, r
   fill(element, verdict, left, remark(app, solid, cancel, retry));
 }
 
-/** The three sides of the box. @param {Pick<Solid, "bounds">} solid */
+/** The three sides of the box. @param {Pick<Whole, "bounds">} solid */
 export const sidesOf = ({ bounds: { min, max } }) => [0, 1, 2].map((axis) => fixed(max[axis] - min[axis], 1));
 
 /**
@@ -73,7 +73,7 @@ function angles(worst) {
 
 /**
  * @param {App} app
- * @param {Solid | null} solid
+ * @param {Whole | null} solid
  * @param {() => void} cancel
  * @param {() => void} retry
  * @returns {(Node | null)[]}
@@ -86,7 +86,7 @@ function remark(app, solid, cancel, retry) {
     return [h("span", { class: "failed reason" }, note.text), again];
   }
   if (note) return [label(note.text)];
-  const { projection = null } = solid ?? {};
+  const projection = /** @type {{deviation: number} | null} */ (solid?.projection ?? null);
   return [projection ? h("span", { class: "warning" }, words.status.projected(length(projection.deviation, app.store.document.unit))) : null];
 }
 

@@ -2,13 +2,12 @@
  * The picture of the solid: the body in its space, moved by pointer, touch and keys, with the plane of the section and the reading.
  *
  * @import { App } from "../state/app.js"
- * @import { Solid } from "../../../js/directrix.js"
  * @import { Camera, Frame, StandardView } from "../space/camera.js"
  * @import { Move } from "../space/keys.js"
  * @import { PlaneMoves } from "../space/plane-mark.js"
  * @import { Plane } from "../space/plane.js"
  * @import { Point } from "../types.js"
- * @import { SolidUi } from "./state.js"
+ * @import { SolidUi, Whole } from "./state.js"
  *
  * @typedef {object} Shown
  * @property {Readonly<SolidUi>} ui
@@ -16,6 +15,7 @@
  * @property {"light" | "dark"} theme
  */
 import { h } from "../dom.js";
+import { fixed } from "../format.js";
 import { axesOf, dragged, eyeOf, fitted, middleOf, panned, rayAt, seenAt, STANDARD, turned, zoomed } from "../space/camera.js";
 import { listenToGestures } from "../space/gestures.js";
 import { PlaneMark } from "../space/plane-mark.js";
@@ -24,7 +24,7 @@ import { createTriad } from "../space/triad.js";
 import { Body } from "./body.js";
 import { createCard, spokenReading } from "./card.js";
 import { readingAt } from "./reading.js";
-import { levelsOf, sectionPlane, upToPlane } from "./state.js";
+import { levelsOf, sectionPlane, stagesAmong, upToPlane } from "./state.js";
 import { words } from "./words.js";
 
 const ACCENT = { light: "#4a45c8", dark: "#a8a4ff" };
@@ -48,7 +48,7 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   const body = new Body(space);
   space.add(...mark.objects);
 
-  /** @type {Solid | null} */
+  /** @type {Whole | null} */
   let solid = null;
   /** @type {Shown | null} */
   let shown = null;
@@ -158,13 +158,13 @@ export function createSolidView(app, { plane, moved, oncontext }) {
     mark,
 
     /**
-     * @param {Solid} next
+     * @param {Whole} next
      * @param {boolean} isClosed
      */
     setSolid(next, isClosed) {
       solid = next;
       cutKey = "";
-      body.set(next, isClosed);
+      body.set(next, isClosed, stagesAmong(app.store.document, next.stages));
       bound();
       space.request();
     },
@@ -213,7 +213,8 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       } else if ("pan" in move) put(panned(space.camera, space.frame, ...move.pan));
       else {
         put(turned(space.camera, ...move.turn));
-        if (!isCross) app.say(words.spoken.turned(...[space.camera.azimuth, space.camera.elevation].map((angle) => angle.toFixed(0).replace("-", "\u2212"))));
+        const { azimuth, elevation } = space.camera;
+        if (!isCross) app.say(words.spoken.turned(fixed(azimuth, 0), fixed(elevation, 0)));
       }
       if (isCross) this.speakReading();
       moved();

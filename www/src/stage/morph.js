@@ -125,4 +125,4 @@ function stageText(s, document) {
 const countsBack = (document) => document.matching.printed?.includes("stages") ?? false;
 
 /** Parts into which the stages cut each line: as printed, the number of stages is that of the curves in between. @param {CurvesDocument} document */
-const segmentsOf = (document) => document.blend.stages + (countsBack(document) ? 1 : 0);
+export const segmentsOf = (document) => document.blend.stages + (countsBack(document) ? 1 : 0);
