@@ -3,7 +3,7 @@
  *
  * @import { Space } from "../space/space.js"
  * @import { Plane } from "../space/plane.js"
- * @import { SolidLayer, Whole } from "./state.js"
+ * @import { SolidLayer, SolidUi, Whole } from "./state.js"
  *
  * @typedef {object} Cuts
  * @property {Plane | null} upTo
@@ -15,12 +15,12 @@ import { Cut, cuttingPlanes } from "../space/cut.js";
 import { Lines, segmentsOf } from "../space/lines.js";
 import { cutOf } from "../space/plane.js";
 import { Shadow } from "../space/shadow.js";
-import { surfaceMaterial } from "../space/surface.js";
+import { lightOfColor, surfaceMaterial } from "../space/surface.js";
 
 /** What lines and faces without a colour of their own look like. */
 const COLORS = {
-  light: { curve: "#17191d", paper: "#f6f6f7", ink: "#b3b7bf", line: "#17191d" },
-  dark: { curve: "#f3f4f7", paper: "#1e2025", ink: "#6a707c", line: "#101216" },
+  light: { curve: "#17191d", paper: "#f6f6f7", ink: "#b3b7bf", line: "#17191d", cap: "#c9ccd2" },
+  dark: { curve: "#f3f4f7", paper: "#1e2025", ink: "#6a707c", line: "#101216", cap: "#4a4e58" },
 };
 const NONE = { positions: [], values: [] };
 
@@ -89,11 +89,11 @@ export class Body {
   hasFace = (layers) => this.#solid !== null && this.#solid.watertight && layers.includes("caps");
 
   /**
-   * @param {SolidLayer[]} layers
+   * @param {Pick<SolidUi, "layers" | "color">} shown
    * @param {"light" | "dark"} theme
-   * @param {number} pixelRatio
+   * @param {Space} space
    */
-  look(layers, theme, pixelRatio) {
+  look({ layers, color }, theme, { pixelRatio, pixelDepth }) {
     const has = (/** @type {SolidLayer} */ layer) => layers.includes(layer);
     this.#rulings.show(has("rulings"));
     this.#stages.show(has("stages"));
@@ -105,6 +105,10 @@ export class Body {
     }
     this.#edges.show(has("wireframe"));
     for (const { material } of [this.#surface, this.#caps]) material.uniforms.lit.value = has("light") ? 1 : 0;
+    // Ruling lines have angles, caps have none.
+    const isPlain = color === "twist" || color === "flank";
+    this.#caps.material.uniforms.plain.value = [...lightOfColor(COLORS[theme].cap), isPlain ? 1 : 0];
+    for (const each of [this.#rulings, this.#stages, this.#curves, this.#edges, ...this.#cuts]) each.raise(pixelDepth);
     this.#curves.paint(COLORS[theme].curve);
     for (const cut of this.#cuts) cut.paint(COLORS[theme], pixelRatio);
   }
@@ -122,9 +126,12 @@ export class Body {
     });
   }
 
-  /** @param {boolean} isAbove whether the eye is above the ground */
-  stand(isAbove) {
-    this.#shadow.show(isAbove);
+  /**
+   * @param {boolean} isAbove whether the eye is above the ground
+   * @param {boolean} isCut whether part of the body is taken away
+   */
+  stand(isAbove, isCut) {
+    this.#shadow.show(isAbove, isCut);
   }
 
   dispose() {

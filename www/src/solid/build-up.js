@@ -13,6 +13,8 @@ import { curveName } from "../state/app.js";
 import { words } from "./words.js";
 
 const STEP = 0.005;
+/** Stages past which ticks would run into each other. */
+const TICKS = 40;
 /** Milliseconds from the first curve to the last. */
 const LASTS = 4000;
 
@@ -40,6 +42,8 @@ export function createBuildUp(app, { read, set, rest }) {
       end: rest,
     },
   );
+  const ticks = h("span", { class: "ticks", "aria-hidden": "true" });
+  control.element.prepend(ticks);
   control.element.classList.add("large");
   const reading = h("span", { class: "morph-reading" }, symbol("s"), " ", value, h("span", { class: "morph-stage" }, " · ", stage));
   const element = h(
@@ -114,6 +118,8 @@ export function createBuildUp(app, { read, set, rest }) {
       control.element.classList.toggle("disabled", !possible);
       attribute(control.input, "title", possible ? null : words.upTo.notFlat);
       attribute(control.input, "aria-valuetext", `s ${fixed(s, 2)}, ${stageText(s)}`);
+      const count = segments() <= TICKS ? segments() : 1;
+      if (ticks.childElementCount !== count + 1) ticks.replaceChildren(...Array.from({ length: count + 1 }, (_, j) => tickAt(j / count)));
       attribute(play, "aria-disabled", possible ? null : "true");
       const wanted = still.matches ? "step" : frame ? "pause" : "play";
       attribute(play, "title", possible ? `${words.upTo[wanted]} (${shownKey("Space")})` : words.upTo.notFlat);
@@ -123,6 +129,13 @@ export function createBuildUp(app, { read, set, rest }) {
       attribute(play, "aria-label", words.upTo[wanted]);
     },
   };
+}
+
+/** @param {number} share */
+function tickAt(share) {
+  const tick = h("span", {});
+  tick.style.left = `${100 * share}%`;
+  return tick;
 }
 
 /** The stage itself when the slider stands within half a step of it. @param {number} s @param {number} stages */

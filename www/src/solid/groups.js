@@ -63,7 +63,7 @@ function bodyGroup(app, now) {
       return solid ? words.body.phrase(sidesOf(solid), app.store.document.unit) : words.body.none;
     },
     render() {
-      const { solid, worst, reason } = now().known;
+      const { solid, worst, reason, lack } = now().known;
       const { unit } = app.store.document;
       const facts = /** @type {[string, string, string][]} */ (
         solid
@@ -77,10 +77,10 @@ function bodyGroup(app, now) {
             ]
           : []
       );
-      const key = JSON.stringify([facts, reason]);
+      const key = JSON.stringify([facts, reason, lack]);
       if (key === drawn) return;
       drawn = key;
-      body.replaceChildren(...facts.map((each) => fact(...each)), ...(facts.length === 0 ? [h("p", { class: "solid-note" }, reason ?? words.loading)] : []));
+      body.replaceChildren(...facts.map((each) => fact(...each)), ...(facts.length === 0 ? [h("p", { class: "solid-note" }, reason ?? lack ?? words.loading)] : []));
     },
   };
 }

@@ -8,10 +8,11 @@
  * @import { Whole } from "./state.js"
  */
 import "../../styles/space.css";
+import "../../styles/push.css";
 import "../../styles/solid.css";
 import { attribute, h, write } from "../dom.js";
 import { advice, explain } from "../explain.js";
-import { editable, fixed, length } from "../format.js";
+import { editable, fixed } from "../format.js";
 import { icon } from "../icons.js";
 import { createGroups } from "../inspector/inspector.js";
 import { shownKey } from "../commands.js";
@@ -48,7 +49,7 @@ let memory = { open: ["show", "section", "heights", "body"], tab: "show" };
 export function createSolid(app, { stage, aside, status }) {
   const { store, ui } = app;
   /** @type {Known} */
-  let known = { solid: null, worst: { twist: null, flank: null }, ms: null, reason: null };
+  let known = { solid: null, worst: { twist: null, flank: null }, ms: null, reason: null, lack: null };
   /** @type {CurvesDocument | null} */
   let asked = null;
   /** The document that the solid belongs to. @type {CurvesDocument | null} */
@@ -118,7 +119,7 @@ export function createSolid(app, { stage, aside, status }) {
       const reason = problem ? explain(document, problem) : solid?.ok ? null : reasonOf(solid);
       const { bounds = null } = solid ?? {};
       const whole = solid?.ok && bounds ? { ...solid, bounds } : null;
-      known = { ...known, solid: whole, ms, reason };
+      known = { ...known, solid: whole, ms, reason, lack: null };
       if (whole) frameOf(whole);
       document === store.document && tell();
       globalThis.document.documentElement.dataset.ready = "true";
@@ -257,7 +258,7 @@ export function createSolid(app, { stage, aside, status }) {
     if (hasHeight(document)) return null;
     const raise = proposal(document);
     const name = curveName(document, raise.curve);
-    const by = length(raise.by, document.unit);
+    const by = `${editable(raise.by, 0)}\u00a0${document.unit}`.trim();
     const act = () => {
       store.commit({ change: (now) => raised(now, raise) });
       app.say(words.raised(name, by));
@@ -272,7 +273,7 @@ export function createSolid(app, { stage, aside, status }) {
     if (lack) {
       asked = null;
       runner.close();
-      known = { solid: null, worst: { twist: null, flank: null }, ms: null, reason: lack.text };
+      known = { solid: null, worst: { twist: null, flank: null }, ms: null, reason: null, lack: lack.text };
       globalThis.document.documentElement.dataset.ready = "true";
       return;
     }
@@ -280,7 +281,7 @@ export function createSolid(app, { stage, aside, status }) {
     const key = JSON.stringify(color);
     if (asked && hasSameSolid(asked, document) && key === askedColor) return;
     [asked, askedColor] = [document, key];
-    if (known.solid === null) known = { ...known, reason: null };
+    if (known.solid === null) known = { ...known, reason: null, lack: null };
     runner.push({ document, color });
   }
 
@@ -291,9 +292,9 @@ export function createSolid(app, { stage, aside, status }) {
 
   /** The solid in words. */
   function summary() {
-    const { solid, worst, reason } = known;
+    const { solid, worst, reason, lack } = known;
     const { unit } = store.document;
-    if (!solid) return reason ?? words.loading;
+    if (!solid) return lack ?? reason ?? words.loading;
     return words.spoken.summary([
       solid.watertight ? words.status.watertight : isClosed() ? words.status.leaks : words.status.open,
       words.spoken.size(sidesOf(solid), unit),
@@ -374,7 +375,9 @@ export function createSolid(app, { stage, aside, status }) {
     const { color, material } = solidUi(app);
     const { materials } = store.document;
     if (color === "material" || !known.solid) return "";
-    return color === "fraction" ? words.legend.fraction(materials[Math.min(material, materials.length - 1)]?.name ?? "") : words.legend[color];
+    if (color === "fraction") return words.legend.fraction(materials[Math.min(material, materials.length - 1)]?.name ?? "");
+    const { range } = known.solid;
+    return range ? words.angles(words.legend[color], ...range.map((degrees) => fixed(degrees, 1))) : words.legend[color];
   }
 
   return {

@@ -8,7 +8,8 @@
  * @property {Whole | null} solid
  * @property {{twist: number | null, flank: number | null}} worst degrees
  * @property {number | null} ms
- * @property {string | null} reason why there is no solid
+ * @property {string | null} reason what keeps the kernel from making one
+ * @property {string | null} lack what the document needs before there can be one
  */
 import { h } from "../dom.js";
 import { fixed, length, milliseconds, significant } from "../format.js";
@@ -21,7 +22,7 @@ import { words } from "./words.js";
  * @param {HTMLElement} element
  * @param {Known & {cancel: () => void, retry: () => void, isClosed: boolean}} shown
  */
-export function renderStatus(app, element, { solid, worst, ms, reason, cancel, retry, isClosed }) {
+export function renderStatus(app, element, { solid, worst, ms, reason, lack, cancel, retry, isClosed }) {
   const { unit } = app.store.document;
   const verdict = reason !== null ? "error" : !solid ? "none" : solid.watertight ? "verified" : isClosed ? "problems" : "open";
   const left = solid
@@ -34,7 +35,7 @@ export function renderStatus(app, element, { solid, worst, ms, reason, cancel, r
         ...angles(worst),
         ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.status.ms)),
       ].filter((node) => node !== null)
-    : [reason !== null ? h("span", { class: "failed reason" }, reason) : label(words.loading)];
+    : [reason !== null ? h("span", { class: "failed reason" }, reason) : label(lack ?? words.loading)];
   fill(element, verdict, left, remark(app, solid, cancel, retry));
 }
 

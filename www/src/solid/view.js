@@ -85,8 +85,9 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       mark.set(section.axis === "view" ? null : (found?.plane ?? null), solid.positions);
       bound();
     }
-    body.look(layers, shown.theme, space.pixelRatio);
-    body.stand(eyeOf(space.camera)[2] > solid.bounds.min[2] + GROUND * space.camera.distance);
+    body.look(shown.ui, shown.theme, space);
+    mark.raise(space.pixelDepth);
+    body.stand(eyeOf(space.camera)[2] > solid.bounds.min[2] + GROUND * space.camera.distance, upTo !== null || found !== null);
     mark.paint(ACCENT[shown.theme]);
     mark.place(space.camera, space.frame);
     triad.render(space.camera);

@@ -109,6 +109,8 @@ export const words = {
     flank: "flank angle",
   },
 
+  angles: (/** @type {string} */ name, /** @type {string} */ low = "", /** @type {string} */ high = "") => `${name}, ${low}° to ${high}°`,
+
   status: {
     watertight: "Watertight",
     open: "Open surface",

@@ -130,6 +130,12 @@ export class Cut {
     this.#face.matrixWorldNeedsUpdate = true;
   }
 
+  /** @param {number} depth what one CSS pixel towards the eye is worth */
+  raise(depth) {
+    this.#band.raise(depth);
+    this.#line.raise(depth);
+  }
+
   /**
    * @param {{paper: string, ink: string, line: string}} colors CSS
    * @param {number} pixelRatio

@@ -14,8 +14,12 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
+/** Pixels that lines are nearer to the eye than what they lie on, besides as many as they are wide: half of them dips into a slanted surface. */
+const NEARER = 1.5;
+
 export class Lines {
   #material;
+  #nearer;
   #geometry = new LineSegmentsGeometry();
 
   /** @param {ClippingPlane[]} clippingPlanes @param {LineLook} look */
@@ -30,6 +34,9 @@ export class Lines {
       clippingPlanes,
     });
     if (color !== undefined) this.#material.color.setStyle(color);
+    this.#nearer = NEARER + 1.5 * width;
+    this.#material.uniforms.nearer = { value: 0 };
+    this.#material.vertexShader = `uniform float nearer;\n${this.#material.vertexShader.replace("gl_Position = clip;", "clip.z -= nearer;\ngl_Position = clip;")}`;
     this.object = new LineSegments2(this.#geometry, this.#material);
     this.object.renderOrder = order;
     this.object.frustumCulled = false;
@@ -57,6 +64,11 @@ export class Lines {
   show(isWanted) {
     this.object.userData.isWanted = isWanted;
     this.object.visible = isWanted && this.object.userData.isEmpty !== true;
+  }
+
+  /** @param {number} depth what one CSS pixel towards the eye is worth, see `Space` */
+  raise(depth) {
+    this.#material.uniforms.nearer.value = this.#nearer * depth;
   }
 
   /** @param {string} css */

@@ -99,6 +99,11 @@ export class PlaneMark {
     this.#fill.material.color.copy(new Color().setStyle(accent));
   }
 
+  /** @param {number} depth what one CSS pixel towards the eye is worth */
+  raise(depth) {
+    this.#outline.raise(depth);
+  }
+
   /** @param {Camera} camera @param {Frame} frame */
   place(camera, frame) {
     const plane = this.#plane;

@@ -7,7 +7,7 @@ import { CanvasTexture, Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 
 /** Pixels of its picture, and the opacity of its darkest place. */
 const SIDE = 256;
-const DARKEST = 0.2;
+const DARKEST = 0.15;
 /** Free space round the body and the radius of the blur, as shares of the longer side of its box. */
 const ROOM = 0.35;
 const BLUR = 0.16;
@@ -52,9 +52,13 @@ export class Shadow {
     this.object.position.set(x, y, min[2] - (max[2] - min[2]) * 1e-3);
   }
 
-  /** Below the ground there is none. @param {boolean} isShown */
-  show(isShown) {
+  /**
+   * @param {boolean} isShown none is seen from below the ground
+   * @param {boolean} isCut whether part of the body is taken away
+   */
+  show(isShown, isCut) {
     this.object.visible = isShown;
+    this.#material.opacity = isCut ? DARKEST / 2 : DARKEST;
   }
 
   dispose() {

@@ -11,7 +11,7 @@
  * @property {(isLost: boolean) => void} [oncontext] the graphics context was lost, or is back
  */
 import { Matrix4, PerspectiveCamera, Scene, WebGLRenderer } from "three";
-import { axesOf, eyeOf, FIELD } from "./camera.js";
+import { axesOf, eyeOf, FIELD, unitsPerPixel } from "./camera.js";
 import { diagonalOf, middleOf, subtract } from "./vector.js";
 
 /** Device pixels for one of the screen at most: more are not seen in a moving picture. */
@@ -129,7 +129,12 @@ export class Space {
     camera.updateProjectionMatrix();
     camera.matrix.copy(new Matrix4().set(right[0], up[0], back[0], eye[0], right[1], up[1], back[1], eye[1], right[2], up[2], back[2], eye[2], 0, 0, 0, 1));
     camera.matrixWorldNeedsUpdate = true;
+    const { near, far } = camera;
+    this.pixelDepth = ((2 * near * far) / (far - near)) * (unitsPerPixel(this.camera, this.frame) / this.camera.distance);
   }
+
+  /** How much less the third coordinate of a vertex is, before it is divided by the fourth, when it comes nearer by one CSS pixel. */
+  pixelDepth = 0;
 
   /** Gives the graphics context back: browsers allow few of them at a time. */
   close() {

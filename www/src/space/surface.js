@@ -26,6 +26,7 @@ void main() {
 const FRAGMENT = /* glsl */ `
 #include <clipping_planes_pars_fragment>
 uniform float lit;
+uniform vec4 plain;
 uniform float isFlat;
 varying vec3 vLab;
 varying vec3 vNormal;
@@ -34,7 +35,7 @@ ${LAB_SHADER}
 const vec3 LIGHT = vec3(-0.42, 0.68, 0.6);
 void main() {
   #include <clipping_planes_fragment>
-  vec3 light = lightOf(vLab);
+  vec3 light = mix(lightOf(vLab), plain.rgb, plain.a);
   // Of the two sides of a triangle the one that is seen is lit.
   vec3 n = isFlat > 0.5 ? cross(dFdx(vPlace), dFdy(vPlace)) : gl_FrontFacing ? vNormal : -vNormal;
   float toLight = 0.5 + 0.5 * dot(normalize(n), normalize(LIGHT));
@@ -70,7 +71,7 @@ void main() {
 `;
 
 /**
- * A surface in the colours of its vertices, attribute `lab`.
+ * A surface in the colours of its vertices, attribute `lab`, or in one colour where `plain` has the opacity 1 (linear light).
  * @param {ClippingPlane[]} clippingPlanes
  * @param {{isFlat?: boolean}} [options] `isFlat`: lit by its triangles rather than by the normals of its vertices
  */
@@ -78,14 +79,10 @@ export function surfaceMaterial(clippingPlanes, { isFlat = false } = {}) {
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
-    uniforms: { lit: { value: 1 }, isFlat: { value: isFlat ? 1 : 0 } },
+    uniforms: { lit: { value: 1 }, plain: { value: [0, 0, 0, 0] }, isFlat: { value: isFlat ? 1 : 0 } },
     clipping: true,
     clippingPlanes,
     side: DoubleSide,
-    // Lines on the surface win over it.
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 2,
   });
 }
 
@@ -101,10 +98,13 @@ export function hatchMaterial(clippingPlanes) {
     clipping: true,
     clippingPlanes,
     side: DoubleSide,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
   });
+}
+
+/** Linear light of a colour. @param {string} css */
+export function lightOfColor(css) {
+  const { r, g, b } = new Color().setStyle(css);
+  return [r, g, b];
 }
 
 /** A colour as bytes would have it, for shaders that write what they are given. @param {string} css */
