@@ -218,6 +218,7 @@ export const strings = {
     heading: "Export",
     format: "Format",
     morph: "Morph",
+    solid: "Solid",
     scale: "Scale",
     size: "Size in pixels",
     width: "Width",

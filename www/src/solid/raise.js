@@ -3,9 +3,11 @@
  *
  * @import { CurvesDocument } from "../types.js"
  */
+import { editable } from "../format.js";
 import { outline } from "../spline.js";
 import { changeCurve } from "../state/edits.js";
 import { niceBelow } from "../view.js";
+import { words } from "./words.js";
 
 /** What a curve is raised by at least, as a share of the diagonal of both. */
 const SHARE = 0.45;
@@ -13,6 +15,12 @@ const SHARE = 0.45;
 /** Whether the curves span a height: theirs differ, or points have heights of their own. @param {CurvesDocument} document */
 export function hasHeight({ curves }) {
   return curves.some(({ height, points }) => height !== curves[0].height || hasDepth(points));
+}
+
+/** What a document needs before its curves can bound a solid; null when there is nothing. @param {CurvesDocument} document */
+export function lackOf(document) {
+  if (document.curves.length < 2) return words.needsTwo;
+  return hasHeight(document) ? null : words.level(editable(document.curves[0].height, 0));
 }
 
 /** Whether points have heights of their own. @param {readonly (readonly number[])[]} points */

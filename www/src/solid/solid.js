@@ -24,7 +24,7 @@ import { strings } from "../strings.js";
 import { createBuildUp } from "./build-up.js";
 import { createSolidGroups, placeOf, sectionText, shareOf } from "./groups.js";
 import { createSolidLegend } from "./legend.js";
-import { hasHeight, proposal, raised } from "./raise.js";
+import { lackOf, proposal, raised } from "./raise.js";
 import { createRunner } from "./runner.js";
 import { changeSolid, colorOf, levelsOf, solidUi } from "./state.js";
 import { measure, renderStatus, sidesOf } from "./status.js";
@@ -254,8 +254,9 @@ export function createSolid(app, { stage, aside, status }) {
   /** Why there is no solid, before the kernel is asked. */
   function missing() {
     const { document } = store;
-    if (document.curves.length < 2) return { text: words.needsTwo, act: null };
-    if (hasHeight(document)) return null;
+    const text = lackOf(document);
+    if (text === null) return null;
+    if (document.curves.length < 2) return { text, act: null };
     const raise = proposal(document);
     const name = curveName(document, raise.curve);
     const by = `${editable(raise.by, 0)}\u00a0${document.unit}`.trim();
@@ -264,7 +265,7 @@ export function createSolid(app, { stage, aside, status }) {
       app.say(words.raised(name, by));
       keyboard.focus({ preventScroll: true });
     };
-    return { text: words.level(editable(document.curves[0].height, 0)), act: { text: words.raise(name, by), act } };
+    return { text, act: { text: words.raise(name, by), act } };
   }
 
   function ask() {

@@ -30,7 +30,6 @@ export class Space {
   #scene = new Scene();
   #camera = new PerspectiveCamera(FIELD);
   #canvas;
-  #ondraw;
   #listeners = new AbortController();
   #frame = 0;
   #isLost = false;
@@ -51,7 +50,7 @@ export class Space {
     const context = canvas.getContext("webgl2", { alpha: true, antialias: true, stencil: true, premultipliedAlpha: true });
     if (!context || context.isContextLost()) throw new NoWebGl("this browser has no WebGL 2");
     this.#canvas = canvas;
-    this.#ondraw = ondraw;
+    this.ondraw = ondraw;
     this.#renderer = new WebGLRenderer({ canvas, context });
     this.#renderer.localClippingEnabled = true;
     this.#renderer.setClearColor(0x000000, 0);
@@ -77,6 +76,12 @@ export class Space {
   /** @param {{min: Vector, max: Vector}} bounds of all that is drawn */
   holds(bounds) {
     this.#bounds = bounds;
+  }
+
+  /** The size of what is drawn, in device pixels; smaller than asked for where the graphics card has no room. */
+  get drawn() {
+    const { drawingBufferWidth: width, drawingBufferHeight: height } = this.#renderer.getContext();
+    return { width, height };
   }
 
   /** The device pixels for one of the screen. */
@@ -109,7 +114,7 @@ export class Space {
     if (this.#isLost) return;
     const started = performance.now();
     this.#place();
-    this.#ondraw();
+    this.ondraw();
     this.#renderer.render(this.#scene, this.#camera);
     this.spent = performance.now() - started;
   }
