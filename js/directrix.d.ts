@@ -392,6 +392,10 @@ export interface Progress {
   done: boolean;
   /** Of a job that paints, when it is done. */
   picture?: Picture;
+  /** Of a job that builds a solid, when it is done. */
+  solid?: Solid;
+  /** Of a job that writes a file, when it is done. */
+  file?: Uint8Array;
 }
 
 /** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
@@ -492,6 +496,19 @@ export interface SolidOptions {
   color?: "material" | { material: number } | "twist" | "flank";
 }
 
+export interface SolidFileOptions extends SolidOptions {
+  /** Binary STL; binary PLY with colours and fractions; OBJ with groups and colours. */
+  format: "stl" | "ply" | "obj";
+}
+
+/** What a job does besides solving: one thing at most. */
+export interface JobOptions extends MatchOptions {
+  paint?: PictureOptions;
+  solid?: SolidOptions;
+  solidFile?: SolidFileOptions;
+  greedy?: boolean;
+}
+
 /** Triangles of one part of a solid. */
 export interface SolidGroup {
   name: "surface" | "cap";
@@ -567,8 +584,16 @@ export interface Directrix {
   morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   solid(document: DocumentInput, options?: SolidOptions): Solid;
-  /** With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for. */
-  job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions; greedy?: boolean }): Job;
+  /**
+   * The bytes of a file of the solid. Throws with the code `no-solid` where there is none. In the module `full` alone; that of `figure` throws with
+   * the code `not-in-module`.
+   */
+  solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
+  /**
+   * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
+   * these functions.
+   */
+  job(document: DocumentInput, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {
@@ -655,6 +680,7 @@ export type ErrorCode =
   | "zero-length"
   | "self-intersection"
   | "contact"
+  | "no-solid"
   | "not-in-module"
   | "link"
   | "trap"

@@ -17,4 +17,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "fitCurve",
   "morphPaths",
   "solid",
+  "solidFile",
 ]);

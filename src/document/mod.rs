@@ -21,8 +21,12 @@ mod schema;
 #[cfg(feature = "solid")]
 mod solid;
 #[cfg(feature = "solid")]
+mod solid_job;
+#[cfg(feature = "solid")]
 mod solid_options;
 mod solve;
+#[cfg(feature = "solid")]
+mod space;
 mod work;
 
 pub use diagnostic::Diagnostic;
@@ -45,7 +49,9 @@ pub use schema::{
     SamplingScheme, Shift, View,
 };
 #[cfg(feature = "solid")]
-pub use solid::{MOST_VERTICES, Solid, SolidRemark, flat};
+pub use solid::{Solid, SolidRemark, flat, why_no_solid};
+#[cfg(feature = "solid")]
+pub use solid_job::{MOST_VERTICES, SolidJob};
 #[cfg(feature = "solid")]
 pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};

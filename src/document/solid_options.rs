@@ -1,6 +1,7 @@
 //! What a solid is asked for.
 
 use super::{DocumentError, Json, Node};
+use crate::solid::Format;
 
 /// How finely a solid is cut, and what it shows; see `docs/api.md`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,21 +34,33 @@ impl Default for SolidOptions {
 }
 
 impl SolidOptions {
-    /// Fields of the options.
-    pub(super) const FIELDS: [&'static str; 3] = ["stages", "caps", "color"];
-
     /// Reads options for a document of `materials` materials; all may be left out.
     ///
     /// # Errors
     /// When a field is unknown, of the wrong type or out of range.
     pub fn read(options: &Json, materials: usize) -> Result<Self, DocumentError> {
         let root = Node::root(options, "options");
-        root.only(&Self::FIELDS)?;
+        root.only(&["stages", "caps", "color"])?;
         Self::of(&root, materials)
     }
 
+    /// Reads options that name the format of a file as well.
+    ///
+    /// # Errors
+    /// As for [`read`](Self::read), and when the format is missing.
+    pub fn read_file(options: &Json, materials: usize) -> Result<(Format, Self), DocumentError> {
+        let root = Node::root(options, "options");
+        root.only(&["format", "stages", "caps", "color"])?;
+        let format = match root.need("format")?.choice(&["stl", "ply", "obj"])? {
+            0 => Format::Stl,
+            1 => Format::Ply,
+            _ => Format::Obj,
+        };
+        Ok((format, Self::of(&root, materials)?))
+    }
+
     /// Reads the fields of an object that may have others.
-    pub(super) fn of(root: &Node<'_>, materials: usize) -> Result<Self, DocumentError> {
+    fn of(root: &Node<'_>, materials: usize) -> Result<Self, DocumentError> {
         Ok(Self {
             stages: root.get("stages")?.map(|node| node.count_within(1..=200)).transpose()?,
             caps: root.get("caps")?.map_or(Ok(true), |node| node.flag())?,

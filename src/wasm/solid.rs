@@ -1,18 +1,43 @@
-//! Solids.
+//! Solids, and files of them, in steps.
 
+use super::clock;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
 use super::results::{DiagnosticResult, to_value};
-use crate::document::{Outcome, Solid, SolidOptions, SolidRemark, flat};
-use crate::solid::{Facets, Group, Part, area, volume};
+use crate::document::{
+    DocumentError, Outcome, Solid, SolidJob, SolidOptions, SolidRemark, Solution, flat, why_no_solid,
+};
+use crate::solid::{Facets, FileJob, Format, Group, Part, area, volume};
 use glam::DVec3;
 use js_sys::{Array, Float32Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
+use std::rc::Rc;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
+/// A solid under way.
+#[wasm_bindgen]
+pub struct Modelling {
+    solution: Rc<Solution>,
+    work: Work,
+    /// Whether a mesh that is not watertight is as asked for.
+    may_be_open: bool,
+    /// Of a file; else the mesh is wanted as it is drawn.
+    format: Option<Format>,
+}
+
+enum Work {
+    Building(Box<SolidJob>),
+    Shading(Box<Solid>),
+    Shaded(Box<Solid>, Facets),
+    Writing(FileJob),
+    Written(Vec<u8>),
+    /// There is no solid.
+    Nothing,
+}
+
 /// What is told in plain values; the arrays join it.
-#[derive(Serialize)]
+#[derive(Serialize, Default)]
 struct SolidResult {
     ok: bool,
     diagnostics: Vec<DiagnosticResult>,
@@ -20,7 +45,6 @@ struct SolidResult {
     groups: Vec<GroupResult>,
     bounds: Option<BoundsResult>,
     watertight: bool,
-    /// Of watertight meshes.
     volume: Option<f64>,
     area: f64,
     projection: Option<()>,
@@ -44,67 +68,158 @@ struct BoundsResult {
 
 #[wasm_bindgen]
 impl Engine {
-    /// The ruled surface in space with its caps.
-    pub fn solid(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
+    /// The ruled surface in space with its caps, to be built in steps.
+    pub fn solid(&mut self, text: &str, options: &str) -> Result<Modelling, JsValue> {
+        self.modelling(text, |materials| {
+            parse(options).and_then(|options| Ok((None, SolidOptions::read(&options, materials)?)))
+        })
+    }
+
+    /// A file of the ruled surface with its caps, to be written in steps.
+    #[wasm_bindgen(js_name = solidFile)]
+    pub fn solid_file(&mut self, text: &str, options: &str) -> Result<Modelling, JsValue> {
+        let modelling = self.modelling(text, |materials| {
+            let (format, options) = SolidOptions::read_file(&parse(options)?, materials)?;
+            Ok((Some(format), options))
+        })?;
+        match modelling.work {
+            Work::Nothing => Err(to_js(&why_no_solid(&modelling.solution))),
+            _ => Ok(modelling),
+        }
+    }
+}
+
+impl Engine {
+    fn modelling(
+        &mut self,
+        text: &str,
+        read: impl FnOnce(usize) -> Result<(Option<Format>, SolidOptions), DocumentError>,
+    ) -> Result<Modelling, JsValue> {
         let solution = self.solve(text)?;
         if let Outcome::Refused(error) = &solution.outcome {
             return Err(to_js(error));
         }
-        let options = parse(options)
-            .and_then(|options| SolidOptions::read(&options, solution.model.materials().len()))
-            .map_err(|e| to_js(&e))?;
-        let solid = Solid::new(&solution, &options).map_err(|e| to_js(&e))?;
-        let mut diagnostics: Vec<DiagnosticResult> =
-            solution.diagnostics.iter().map(DiagnosticResult::from).collect();
-        let remarks =
-            solid.as_ref().map_or_else(|| flat(&solution).into_iter().collect(), |s| s.remarks.clone());
-        diagnostics.extend(remarks.iter().map(DiagnosticResult::from));
-        let is_whole = |solid: &Solid| solid.is_watertight || !options.caps || !solid.is_closed;
-        let ok = solution.is_complete() && solid.as_ref().is_some_and(is_whole);
-        result(ok, diagnostics, solid.as_ref())
+        let start = || {
+            let (format, options) = read(solution.model.materials().len())?;
+            let job = SolidJob::new(Rc::clone(&solution), options)?;
+            Ok((format, job.map_or(Work::Nothing, |job| Work::Building(Box::new(job))), !options.caps))
+        };
+        let (format, work, may_be_open) = start().map_err(|error| to_js(&error))?;
+        Ok(Modelling { solution, work, may_be_open, format })
     }
 }
 
-fn result(ok: bool, diagnostics: Vec<DiagnosticResult>, solid: Option<&Solid>) -> Result<JsValue, JsValue> {
-    let mesh = solid.map(|solid| &solid.mesh);
-    let facets = mesh.map(Facets::new).unwrap_or_default();
-    let bounds = mesh.and_then(|mesh| mesh.bounds());
-    let value = to_value(&SolidResult {
-        ok,
-        diagnostics,
-        range: solid.and_then(|solid| solid.range),
-        groups: mesh.map_or_else(Vec::new, |mesh| mesh.groups.iter().map(GroupResult::from).collect()),
-        bounds: bounds.map(|(min, max)| BoundsResult { min: min.to_array(), max: max.to_array() }),
-        watertight: solid.is_some_and(|solid| solid.is_watertight),
-        volume: solid.filter(|solid| solid.is_watertight).map(|solid| volume(&solid.mesh)),
-        area: mesh.map_or(0.0, area),
-        projection: None,
-    })?;
-    let object = Object::from(value);
-    let set = |name: &str, value: JsValue| Reflect::set(&object, &name.into(), &value).map(|_| ());
-    let of = |vertex: &u32| *vertex as usize;
-    let (mut positions, mut colors, mut fractions, mut scalars) = (Vec::new(), Vec::new(), Vec::new(), None);
-    if let Some(Solid { mesh, colors: all, .. }) = solid {
-        positions = facets.positions(mesh);
-        colors =
-            facets.vertices.iter().flat_map(|k| [all[of(k)].r, all[of(k)].g, all[of(k)].b, 255]).collect();
-        fractions =
-            facets.vertices.iter().flat_map(|k| mesh.fractions_at(of(k))).map(|&f| f as f32).collect();
-        scalars = (!mesh.scalars.is_empty())
-            .then(|| facets.vertices.iter().map(|k| mesh.scalars[of(k)] as f32).collect::<Vec<f32>>());
+#[wasm_bindgen]
+impl Modelling {
+    /// Goes on for about `budget` milliseconds; returns the share done, 1 when all is.
+    pub fn step(&mut self, budget: f64) -> f64 {
+        let clock = clock();
+        let start = clock.now();
+        let mut may_go_on = || clock.now() - start < budget;
+        loop {
+            self.work = match std::mem::replace(&mut self.work, Work::Nothing) {
+                Work::Building(mut job) => match (job.step(&mut may_go_on), self.format) {
+                    (None, _) => Work::Building(job),
+                    (Some(solid), None) => Work::Shading(Box::new(solid)),
+                    (Some(solid), Some(format)) => Work::Writing(solid.into_file(format, &self.solution)),
+                },
+                Work::Shading(solid) => {
+                    let facets = Facets::new(&solid.mesh);
+                    Work::Shaded(solid, facets)
+                }
+                Work::Writing(mut job) => match job.step(&mut may_go_on) {
+                    None => Work::Writing(job),
+                    Some(bytes) => Work::Written(bytes),
+                },
+                done => done,
+            };
+            let progress = match &self.work {
+                Work::Building(job) => 0.6 * job.progress(),
+                Work::Shading(_) => 0.6,
+                Work::Writing(job) => 0.6 + 0.399 * job.progress(),
+                Work::Shaded(..) | Work::Written(_) | Work::Nothing => return 1.0,
+            };
+            if !may_go_on() {
+                return progress;
+            }
+        }
     }
-    let normals: Vec<f32> = numbers(&facets.normals);
-    set("positions", Float32Array::from(positions.as_slice()).into())?;
-    set("normals", Float32Array::from(normals.as_slice()).into())?;
-    set("colors", Uint8Array::from(colors.as_slice()).into())?;
-    set("fractions", Float32Array::from(fractions.as_slice()).into())?;
-    set("scalar", scalars.map_or(JsValue::NULL, |scalars| Float32Array::from(scalars.as_slice()).into()))?;
-    set("indices", Uint32Array::from(facets.triangles.as_flattened()).into())?;
-    let rulings: Vec<f32> = solid.map_or_else(Vec::new, |solid| numbers(solid.rulings.as_flattened()));
-    set("rulings", Float32Array::from(rulings.as_slice()).into())?;
-    set("stages", polylines(solid.map_or(&[], |solid| &solid.stages)))?;
-    set("curves", polylines(solid.map_or(&[], |solid| &solid.curves)))?;
-    Ok(object.into())
+
+    /// The solid, or the file, which is complete when `step` has returned 1.
+    pub fn result(self) -> Result<JsValue, JsValue> {
+        if let Work::Written(bytes) = &self.work {
+            return Ok(Uint8Array::from(bytes.as_slice()).into());
+        }
+        let (solid, facets) = match &self.work {
+            Work::Shaded(solid, facets) => (Some(solid.as_ref()), Some(facets)),
+            _ => (None, None),
+        };
+        let value = to_value(&self.plain(solid))?;
+        let object = Object::from(value);
+        let set = |name: &str, value: JsValue| Reflect::set(&object, &name.into(), &value).map(|_| ());
+        let drawn = solid.zip(facets).map(|(solid, facets)| Drawn::new(solid, facets)).unwrap_or_default();
+        set("positions", Float32Array::from(drawn.positions.as_slice()).into())?;
+        set("normals", Float32Array::from(drawn.normals.as_slice()).into())?;
+        set("colors", Uint8Array::from(drawn.colors.as_slice()).into())?;
+        set("fractions", Float32Array::from(drawn.fractions.as_slice()).into())?;
+        let scalars = drawn.scalars.as_deref();
+        set("scalar", scalars.map_or(JsValue::NULL, |scalars| Float32Array::from(scalars).into()))?;
+        let indices = facets.map_or(&[][..], |facets| facets.triangles.as_flattened());
+        set("indices", Uint32Array::from(indices).into())?;
+        let rulings = solid.map_or_else(Vec::new, |solid| numbers(solid.rulings.as_flattened()));
+        set("rulings", Float32Array::from(rulings.as_slice()).into())?;
+        set("stages", polylines(solid.map_or(&[], |solid| &solid.stages)))?;
+        set("curves", polylines(solid.map_or(&[], |solid| &solid.curves)))?;
+        Ok(object.into())
+    }
+}
+
+impl Modelling {
+    fn plain(&self, solid: Option<&Solid>) -> SolidResult {
+        let remarks = solid.map_or_else(|| flat(&self.solution).into_iter().collect(), |s| s.remarks.clone());
+        let diagnostics = self.solution.diagnostics.iter().map(DiagnosticResult::from);
+        let diagnostics = diagnostics.chain(remarks.iter().map(DiagnosticResult::from)).collect();
+        let Some(Solid { mesh, range, is_closed, is_watertight, .. }) = solid else {
+            return SolidResult { diagnostics, ..SolidResult::default() };
+        };
+        let is_whole = *is_watertight || !is_closed || self.may_be_open;
+        SolidResult {
+            ok: self.solution.is_complete() && is_whole,
+            diagnostics,
+            range: *range,
+            groups: mesh.groups.iter().map(GroupResult::from).collect(),
+            bounds: mesh.bounds().map(|(min, max)| BoundsResult { min: min.to_array(), max: max.to_array() }),
+            watertight: *is_watertight,
+            volume: is_watertight.then(|| volume(mesh)),
+            area: area(mesh),
+            projection: None,
+        }
+    }
+}
+
+/// The vertices as they are drawn.
+#[derive(Default)]
+struct Drawn {
+    positions: Vec<f32>,
+    normals: Vec<f32>,
+    colors: Vec<u8>,
+    fractions: Vec<f32>,
+    scalars: Option<Vec<f32>>,
+}
+
+impl Drawn {
+    fn new(Solid { mesh, colors, .. }: &Solid, facets: &Facets) -> Self {
+        let vertices = || facets.vertices.iter().map(|&vertex| vertex as usize);
+        let color = |vertex: usize| [colors[vertex].r, colors[vertex].g, colors[vertex].b, u8::MAX];
+        let has_scalars = !mesh.scalars.is_empty();
+        Self {
+            positions: facets.positions(mesh),
+            normals: numbers(&facets.normals),
+            colors: vertices().flat_map(color).collect(),
+            fractions: vertices().flat_map(|k| mesh.fractions_at(k)).map(|&part| part as f32).collect(),
+            scalars: has_scalars.then(|| vertices().map(|k| mesh.scalars[k] as f32).collect()),
+        }
+    }
 }
 
 fn polylines(lines: &[Vec<DVec3>]) -> JsValue {
