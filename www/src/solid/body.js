@@ -10,18 +10,21 @@
  * @property {Plane | null} section
  */
 import { BufferAttribute, BufferGeometry, Mesh } from "three";
-import { labsOf, lightOf } from "../space/colors.js";
+import { labsOf, plainColor, srgbOf } from "../space/colors.js";
 import { Cut, cuttingPlanes } from "../space/cut.js";
-import { Lines, segmentsOf } from "../space/lines.js";
+import { Lines, segmentsOf, thinned } from "../space/lines.js";
 import { cutOf } from "../space/plane.js";
 import { Shadow } from "../space/shadow.js";
-import { lightOfColor, surfaceMaterial } from "../space/surface.js";
+import { surfaceMaterial } from "../space/surface.js";
+import { diagonalOf } from "../space/vector.js";
 
 /** What lines and faces without a colour of their own look like. */
 const COLORS = {
   light: { curve: "#17191d", paper: "#f6f6f7", ink: "#b3b7bf", line: "#17191d", cap: "#c9ccd2" },
   dark: { curve: "#f3f4f7", paper: "#1e2025", ink: "#6a707c", line: "#101216", cap: "#4a4e58" },
 };
+/** How far stages may be off, as a share of the diagonal: a quarter of a pixel. */
+const THIN = 3e-4;
 const NONE = { positions: [], values: [] };
 
 export class Body {
@@ -79,7 +82,8 @@ export class Body {
       mesh.geometry.setDrawRange(start, groups.reduce((sum, { count }) => sum + count, 0));
     }
     this.#rulings.set(solid.rulings);
-    this.#stages.set(segmentsOf(stages, isClosed));
+    const tolerance = THIN * diagonalOf(solid.bounds);
+    this.#stages.set(segmentsOf(stages.map((points) => thinned(points, tolerance)), isClosed));
     this.#curves.set(segmentsOf(solid.curves, isClosed));
     this.#hasEdges = false;
     this.#shadow.set(isClosed ? solid.curves : [], solid.bounds);
@@ -107,7 +111,7 @@ export class Body {
     for (const { material } of [this.#surface, this.#caps]) material.uniforms.lit.value = has("light") ? 1 : 0;
     // Ruling lines have angles, caps have none.
     const isPlain = color === "twist" || color === "flank";
-    this.#caps.material.uniforms.plain.value = [...lightOfColor(COLORS[theme].cap), isPlain ? 1 : 0];
+    this.#caps.material.uniforms.plain.value = [...plainColor(COLORS[theme].cap), isPlain ? 1 : 0];
     for (const each of [this.#rulings, this.#stages, this.#curves, this.#edges, ...this.#cuts]) each.raise(pixelDepth);
     this.#curves.paint(COLORS[theme].curve);
     for (const cut of this.#cuts) cut.paint(COLORS[theme], pixelRatio);
@@ -121,8 +125,8 @@ export class Body {
     const end = hasCaps ? solid.indices.length : (solid.groups.find(({ name }) => name === "cap")?.start ?? solid.indices.length);
     [upTo, section].forEach((plane, i) => {
       const outline = plane ? cutOf(solid, plane, this.#labs, end) : NONE;
-      const light = outline.values.flatMap((_, k) => (k % 3 === 0 ? lightOf(outline.values, k) : []));
-      this.#cuts[i].set(plane, solid.bounds, { positions: outline.positions, values: light }, this.hasFace(layers));
+      const colors = outline.values.flatMap((_, k) => (k % 3 === 0 ? srgbOf(outline.values, k) : []));
+      this.#cuts[i].set(plane, solid.bounds, { positions: outline.positions, values: colors }, this.hasFace(layers));
     });
   }
 

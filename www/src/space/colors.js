@@ -28,22 +28,33 @@ export function labsOf(colors) {
 }
 
 /**
- * Linear light of a colour in Oklab, clipped to what sRGB holds.
+ * sRGB of a colour in Oklab from 0 to 1, clipped.
  * @param {ArrayLike<number>} labs
  * @param {number} start
  * @returns {[number, number, number]}
  */
-export function lightOf(labs, start) {
+export function srgbOf(labs, start) {
   const [L, a, b] = [labs[start], labs[start + 1], labs[start + 2]];
   const l = (L + 0.3963377774 * a + 0.2158037573 * b) ** 3;
   const m = (L - 0.1055613458 * a - 0.0638541728 * b) ** 3;
   const s = (L - 0.0894841775 * a - 1.291485548 * b) ** 3;
-  const clip = (/** @type {number} */ value) => Math.min(1, Math.max(0, value));
   return [
-    clip(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
-    clip(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-    clip(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
+    encoded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+    encoded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+    encoded(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
   ];
+}
+
+/** @param {number} light */
+function encoded(light) {
+  const clipped = Math.min(1, Math.max(0, light));
+  return clipped <= 0.0031308 ? 12.92 * clipped : 1.055 * clipped ** (1 / 2.4) - 0.055;
+}
+
+/** The channels of `#rrggbb`, from 0 to 1. @param {string} hex @returns {[number, number, number]} */
+export function plainColor(hex) {
+  const value = Number.parseInt(hex.slice(1), 16);
+  return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255];
 }
 
 /** The same for the fragments of a surface. */
@@ -58,6 +69,10 @@ vec3 lightOf(vec3 lab) {
     dot(vec3(-1.2684380046, 2.6097574011, -0.3413193965), lms),
     dot(vec3(-0.0041960863, -0.7034186147, 1.707614701), lms)
   ), 0.0, 1.0);
+}
+
+vec3 lightOfSrgb(vec3 color) {
+  return mix(color / 12.92, pow((color + 0.055) / 1.055, vec3(2.4)), step(0.04045, color));
 }
 
 vec3 srgbOf(vec3 light) {

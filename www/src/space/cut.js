@@ -22,8 +22,9 @@ import {
   ReplaceStencilOp,
   Vector3,
 } from "three";
+import { plainColor } from "./colors.js";
 import { Lines } from "./lines.js";
-import { hatchMaterial, plainColor } from "./surface.js";
+import { hatchMaterial } from "./surface.js";
 import { add, cross, diagonalOf, dot, middleOf, scaled, unit } from "./vector.js";
 
 /** CSS pixels of the outline: the colours of the surface, and the line along them. */
@@ -105,7 +106,7 @@ export class Cut {
   /**
    * @param {Plane | null} plane null to cut nothing
    * @param {Bounds} bounds of the body
-   * @param {{positions: number[], values: number[]}} outline with its colours in linear light
+   * @param {{positions: number[], values: number[]}} outline with its colours, sRGB from 0 to 1
    * @param {boolean} hasFace whether the body is closed, so that its inside is known
    */
   set(plane, bounds, outline, hasFace) {
@@ -137,7 +138,7 @@ export class Cut {
   }
 
   /**
-   * @param {{paper: string, ink: string, line: string}} colors CSS
+   * @param {{paper: string, ink: string, line: string}} colors `#rrggbb`
    * @param {number} pixelRatio
    */
   paint({ paper, ink, line }, pixelRatio) {

@@ -12,7 +12,7 @@
  * @property {(run: string) => void} undo
  * @property {(steps: number) => void} step by keys: 1 is a step, 10 a long one, 0.1 a short one
  */
-import { DoubleSide, BufferAttribute, BufferGeometry, Color, Mesh, MeshBasicMaterial } from "three";
+import { DoubleSide, BufferAttribute, BufferGeometry, Mesh, MeshBasicMaterial } from "three";
 import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
 import { attribute, h, svg } from "../dom.js";
@@ -96,7 +96,7 @@ export class PlaneMark {
   /** @param {string} accent CSS */
   paint(accent) {
     this.#outline.paint(accent);
-    this.#fill.material.color.copy(new Color().setStyle(accent));
+    this.#fill.material.color.set(accent);
   }
 
   /** @param {number} depth what one CSS pixel towards the eye is worth */

@@ -3,7 +3,7 @@
  *
  * @import { Plane as ClippingPlane } from "three"
  */
-import { Color, DoubleSide, ShaderMaterial } from "three";
+import { DoubleSide, ShaderMaterial } from "three";
 import { LAB_SHADER } from "./colors.js";
 
 const VERTEX = /* glsl */ `
@@ -35,7 +35,7 @@ ${LAB_SHADER}
 const vec3 LIGHT = vec3(-0.42, 0.68, 0.6);
 void main() {
   #include <clipping_planes_fragment>
-  vec3 light = mix(lightOf(vLab), plain.rgb, plain.a);
+  vec3 light = plain.a > 0.5 ? lightOfSrgb(plain.rgb) : lightOf(vLab);
   // Of the two sides of a triangle the one that is seen is lit.
   vec3 n = isFlat > 0.5 ? cross(dFdx(vPlace), dFdy(vPlace)) : gl_FrontFacing ? vNormal : -vNormal;
   float toLight = 0.5 + 0.5 * dot(normalize(n), normalize(LIGHT));
@@ -71,7 +71,7 @@ void main() {
 `;
 
 /**
- * A surface in the colours of its vertices, attribute `lab`, or in one colour where `plain` has the opacity 1 (linear light).
+ * A surface in the colours of its vertices, attribute `lab`, or in one colour where `plain` has the opacity 1.
  * @param {ClippingPlane[]} clippingPlanes
  * @param {{isFlat?: boolean}} [options] `isFlat`: lit by its triangles rather than by the normals of its vertices
  */
@@ -99,16 +99,4 @@ export function hatchMaterial(clippingPlanes) {
     clippingPlanes,
     side: DoubleSide,
   });
-}
-
-/** Linear light of a colour. @param {string} css */
-export function lightOfColor(css) {
-  const { r, g, b } = new Color().setStyle(css);
-  return [r, g, b];
-}
-
-/** A colour as bytes would have it, for shaders that write what they are given. @param {string} css */
-export function plainColor(css) {
-  const { r, g, b } = new Color().setStyle(css).convertLinearToSRGB();
-  return [r, g, b];
 }
