@@ -189,11 +189,13 @@ export function showExport(app) {
     message,
   );
   const place = h("div", {});
+  const formats = row(words.format, format);
+  formats.classList.add("export-formats");
   render();
   const panel = openPanel({
     name: "export",
     heading: words.heading,
-    body: [row(words.format, format), still, place],
+    body: [formats, still, place],
     onclose: () => section?.close(),
   });
   if (panel && last.section) {

@@ -66,6 +66,7 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   let extent = null;
   let reading = /** @type {ReturnType<typeof readingAt>} */ (null);
   let cutKey = "";
+  let frame = 0;
 
   /** The points that have to be seen. */
   const hull = () => (solid ? solid.curves.flatMap((points) => triples(points)) : []);
@@ -73,7 +74,7 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   /** Cuts, marks and reading for the camera as it stands. */
   function overlay() {
     if (!solid || !shown) return;
-    const { section, layers, color } = shown.ui;
+    const { section, layers } = shown.ui;
     const { back } = axesOf(space.camera);
     const found = sectionPlane(section, solid.positions, back);
     extent = found?.extent ?? null;
@@ -91,9 +92,21 @@ export function createSolidView(app, { plane, moved, oncontext }) {
     mark.paint(ACCENT[shown.theme]);
     mark.place(space.camera, space.frame);
     triad.render(space.camera);
+    showReading();
+  }
+
+  /** Reads what is pointed at, which changes nothing of the picture itself. */
+  function showReading() {
+    cancelAnimationFrame(frame);
+    frame = 0;
+    if (!shown) return;
     read();
     const at = isCross ? middleOf(space.frame) : reading && reading !== "inside" ? seenAt(space.camera, space.frame, reading.point).at : pointed;
-    renderCard(reading, isCross || pointed ? at : null, { size: space.frame.size, color, isCross });
+    renderCard(reading, isCross || pointed ? at : null, { size: space.frame.size, color: shown.ui.color, isCross });
+  }
+
+  function readSoon() {
+    if (frame === 0) frame = requestAnimationFrame(showReading);
   }
 
   function bound() {
@@ -132,12 +145,12 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       if (at && isCross) isCross = false;
       if (pointed === at) return;
       pointed = at;
-      space.request();
+      readSoon();
     },
     tap(at) {
       pointed = pointed && Math.hypot(pointed[0] - at[0], pointed[1] - at[1]) < 1 ? null : at;
       isCross = false;
-      space.request();
+      readSoon();
     },
     rest: moved,
   });
@@ -225,7 +238,7 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       if (isCross === on && pointed === null) return false;
       isCross = on;
       pointed = null;
-      space.request();
+      readSoon();
       if (on) this.speakReading();
       return true;
     },
@@ -243,6 +256,7 @@ export function createSolidView(app, { plane, moved, oncontext }) {
     seen: (point) => seenAt(space.camera, space.frame, point).at,
     request: () => space.request(),
     close() {
+      cancelAnimationFrame(frame);
       stopListening();
       mark.dispose();
       body.dispose();

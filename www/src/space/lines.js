@@ -24,6 +24,8 @@ uniform vec2 size;
 uniform float width;
 uniform float nearer;
 varying vec3 vColor;
+varying vec2 vOver;
+varying float vLength;
 void main() {
   vColor = mix(fromColor, toColor, corner.x);
   vec4 a = modelViewMatrix * vec4(from, 1.0);
@@ -41,8 +43,14 @@ void main() {
   along = far > 1e-6 ? along / far : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
   vec4 place = corner.x < 0.5 ? p : q;
-  // Half a width beyond its ends it closes the gap to its neighbour.
-  vec2 by = (across * corner.y + along * (corner.x * 2.0 - 1.0) * OVERLAP) * width;
+  vec2 by = across * corner.y * width;
+#ifdef BROAD
+  // Round ends half a width beyond the segment close the gap to its neighbour.
+  float side = corner.x * 2.0 - 1.0;
+  by += along * side * width;
+  vLength = far / width;
+  vOver = vec2(corner.x * vLength + side, corner.y);
+#endif
   place.xy += by / size * place.w;
   place.z -= nearer;
   gl_Position = place;
@@ -53,15 +61,21 @@ const FRAGMENT = /* glsl */ `
 #include <clipping_planes_pars_fragment>
 uniform float opacity;
 varying vec3 vColor;
+varying vec2 vOver;
+varying float vLength;
 void main() {
   #include <clipping_planes_fragment>
+#ifdef BROAD
+  float beyond = max(-vOver.x, vOver.x - vLength);
+  if (beyond > 0.0 && beyond * beyond + vOver.y * vOver.y > 1.0) discard;
+#endif
   gl_FragColor = vec4(vColor, opacity);
 }
 `;
 
 /** Pixels that lines are nearer to the eye than what they lie on, besides as many as they are wide: half of them dips into a slanted surface. */
 const NEARER = 1.5;
-/** Lines from this width on overlap at their ends. */
+/** Lines from this width on have round ends. */
 const BROAD = 1.25;
 
 /** The four corners of a segment, along it from 0 to 1, across it from -1 to 1; and its two triangles. */
@@ -79,7 +93,8 @@ export class Lines {
   constructor(clippingPlanes, { color, width, opacity = 1, order }) {
     this.#nearer = NEARER + 1.5 * width;
     this.#material = new ShaderMaterial({
-      vertexShader: VERTEX.replace("OVERLAP", width < BROAD ? "0.0" : "1.0"),
+      defines: width < BROAD ? {} : { BROAD: "" },
+      vertexShader: VERTEX,
       fragmentShader: color === undefined ? FRAGMENT : FRAGMENT.replace("varying vec3 vColor", "uniform vec3 color").replace("vColor", "color"),
       uniforms: { size: { value: new Vector2(1, 1) }, width: { value: width }, nearer: { value: 0 }, opacity: { value: opacity }, color: { value: [0, 0, 0] } },
       transparent: true,
