@@ -8,8 +8,8 @@ import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { shownKey } from "../commands.js";
-import { segmentsOf } from "../stage/morph.js";
 import { curveName } from "../state/app.js";
+import { segmentsOf } from "../state/stages.js";
 import { words } from "./words.js";
 
 const STEP = 0.005;

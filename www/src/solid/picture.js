@@ -7,9 +7,9 @@
  */
 import { axesOf, eyeOf, fitted, STANDARD } from "../space/camera.js";
 import { Space } from "../space/space.js";
+import { triples } from "../space/vector.js";
 import { Body } from "./body.js";
 import { levelsOf, sectionPlane, solidUi, stagesAmong, upToPlane } from "./state.js";
-import { triples } from "./view.js";
 import { words } from "./words.js";
 
 /** Background of the page by theme. */
@@ -50,7 +50,8 @@ export async function solidPicture(app, solid, { width, height, theme, transpare
       body.look(shown, theme, space);
       body.stand(eyeOf(space.camera)[2] > min[2], upTo !== null || section !== null);
     };
-    space.resize(frame, ratio);
+    // The renderer rounds down what it is given.
+    space.resize(frame, ratio * (1 + 1e-9));
     if (space.drawn.width !== width || space.drawn.height !== height) throw new Error(words.exports.tooLarge);
     const flat = new OffscreenCanvas(width, height);
     const context = flat.getContext("2d");

@@ -222,17 +222,19 @@ export function createSolid(app, { stage, aside, status }) {
 
   const over = new AbortController();
   addEventListener("keydown", key, { signal: over.signal });
+  // Before the page writes down what a reload brings back.
+  for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
 
   /** @param {KeyboardEvent} event */
   function key(event) {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || !known.solid) return;
     const target = event.target instanceof Element ? event.target : null;
-    if (target?.closest("input, select, textarea, [data-panel], [role=menu], [role=tab]")) return;
+    if (target?.closest("input[type=text], select, textarea, [data-panel], [role=menu], [role=tab]")) return;
     const isOnPicture = target === keyboard;
     keyboard.classList.add("keyed");
     const move = moveOf(event, isOnPicture);
     if (move && view) view.move(move);
-    else if (event.key === " " && !target?.closest("button, a")) buildUp.toggle();
+    else if (event.key === " " && !target?.closest("button, a, input")) buildUp.toggle();
     else if (event.key === "Enter" && isOnPicture) view?.readMiddle(true);
     else if (!(event.key === "Escape" && view?.readMiddle(false))) return;
     event.preventDefault();

@@ -28,7 +28,7 @@
  */
 import { extentAlong } from "../space/plane.js";
 import { scaled } from "../space/vector.js";
-import { segmentsOf } from "../stage/morph.js";
+import { segmentsOf } from "../state/stages.js";
 
 export const SOLID_LAYERS = /** @type {const} */ (["rulings", "stages", "curves", "caps", "light", "wireframe"]);
 

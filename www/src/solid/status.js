@@ -24,7 +24,7 @@ import { words } from "./words.js";
  */
 export function renderStatus(app, element, { solid, worst, ms, reason, lack, cancel, retry, isClosed }) {
   const { unit } = app.store.document;
-  const verdict = reason !== null ? "error" : !solid ? "none" : solid.watertight ? "verified" : isClosed ? "problems" : "open";
+  const verdict = reason !== null ? "error" : lack !== null ? "incomplete" : !solid ? "none" : solid.watertight ? "verified" : isClosed ? "problems" : "open";
   const left = solid
     ? [
         verdictOf(verdict),

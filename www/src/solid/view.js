@@ -21,6 +21,7 @@ import { listenToGestures } from "../space/gestures.js";
 import { PlaneMark } from "../space/plane-mark.js";
 import { Space } from "../space/space.js";
 import { createTriad } from "../space/triad.js";
+import { triples } from "../space/vector.js";
 import { Body } from "./body.js";
 import { createCard, spokenReading } from "./card.js";
 import { readingAt } from "./reading.js";
@@ -263,9 +264,4 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       space.close();
     },
   };
-}
-
-/** @param {Float32Array} points @returns {[number, number, number][]} */
-export function triples(points) {
-  return Array.from({ length: points.length / 3 }, (_, i) => [points[3 * i], points[3 * i + 1], points[3 * i + 2]]);
 }

@@ -41,3 +41,8 @@ export const diagonalOf = ({ min, max }) => Math.hypot(...subtract(max, min));
 export function cornersOf({ min, max }) {
   return [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]]);
 }
+
+/** Flat numbers as points. @param {Float32Array} points @returns {Vector[]} */
+export function triples(points) {
+  return Array.from({ length: points.length / 3 }, (_, i) => [points[3 * i], points[3 * i + 1], points[3 * i + 2]]);
+}
