@@ -26,6 +26,10 @@ pub struct Solid {
     pub is_closed: bool,
     /// Whether the mesh is watertight.
     pub is_watertight: bool,
+    /// Volume inside, of a watertight mesh.
+    pub volume: Option<f64>,
+    /// Area of all triangles.
+    pub area: f64,
     /// What there is to say of the solid.
     pub remarks: Vec<SolidRemark>,
 }

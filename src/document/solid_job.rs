@@ -7,7 +7,9 @@ use super::{Code, DocumentError, Model, Solution};
 use crate::curve::BSpline;
 use crate::material::{Color, Oklab, mix_fractions, viridis};
 use crate::morph::{Band, Ruling};
-use crate::solid::{CapError, Mesh, Row, Shell, Shelled, flank_angle, is_watertight, twist_angle};
+use crate::solid::{
+    CapError, Mesh, Row, Shell, Shelled, area, flank_angle, is_watertight, twist_angle, volume,
+};
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -44,7 +46,8 @@ pub struct SolidJob {
 enum Work {
     Rows(Shell),
     Check(Shelled),
-    Color(Shelled, bool),
+    /// With the volume inside, of a watertight mesh.
+    Color(Shelled, Option<f64>),
     Done,
 }
 
@@ -89,10 +92,10 @@ impl SolidJob {
                     }
                 }
                 Work::Check(shelled) => {
-                    let is_watertight = is_watertight(&shelled.mesh);
-                    Work::Color(shelled, is_watertight)
+                    let volume = is_watertight(&shelled.mesh).then(|| volume(&shelled.mesh));
+                    Work::Color(shelled, volume)
                 }
-                Work::Color(shelled, is_watertight) => return Some(self.color(shelled, is_watertight)),
+                Work::Color(shelled, volume) => return Some(self.color(shelled, volume)),
                 Work::Done => return None,
             };
             if !may_go_on() {
@@ -134,7 +137,8 @@ impl SolidJob {
         self.stages.push(row.points);
     }
 
-    fn color(&mut self, Shelled { mesh, uncapped }: Shelled, is_watertight: bool) -> Solid {
+    fn color(&mut self, Shelled { mesh, uncapped }: Shelled, volume: Option<f64>) -> Solid {
+        let is_watertight = volume.is_some();
         let model = &self.solution.model;
         let is_closed = self.band.is_closed();
         let mut remarks: Vec<SolidRemark> = uncapped
@@ -162,6 +166,8 @@ impl SolidJob {
         let lines = self.solution.band().map_or_else(Vec::new, |band| band.lines().collect());
         Solid {
             colors: colors(model, &mesh, self.options.color, range),
+            area: area(&mesh),
+            volume,
             rulings: lines.into_iter().map(|ruling| self.space.ends(ruling)).collect(),
             curves: model.curves().iter().enumerate().map(outline).collect(),
             mesh,

@@ -27,3 +27,33 @@ pub fn flank_angle(tangents: [DVec3; 2], ruling: DVec3) -> f64 {
     }
     first.cross(second).length().atan2(first.dot(second)).to_degrees()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec3;
+
+    #[test]
+    fn twist_is_the_angle_about_the_axis() {
+        let turned = |degrees: f64| {
+            let (y, x) = degrees.to_radians().sin_cos();
+            twist_angle([dvec3(2.0, 0.0, 0.3), dvec3(x, y, -0.4)], DVec3::Z)
+        };
+        for degrees in [0.0, 30.0, -75.0, 179.0, 180.0] {
+            assert!((turned(degrees) - degrees).abs() < 1e-12, "{degrees}");
+        }
+        assert!(turned(-180.0) > 0.0);
+    }
+
+    #[test]
+    fn flank_is_the_angle_of_the_normals_and_not_of_the_tangents() {
+        // Tangents of different lengths of slope in one plane with the ruling: the surface is flat along it.
+        let ruling = dvec3(1.0, 0.0, 4.0);
+        let flat = flank_angle([dvec3(0.0, 1.0, 0.0), dvec3(0.0, 3.0, 0.0) + 0.5 * ruling], ruling);
+        assert!(flat < 1e-6, "{flat}");
+        let right = flank_angle([DVec3::X, DVec3::Y], DVec3::Z);
+        assert!((right - 90.0).abs() < 1e-12);
+        assert!((flank_angle([DVec3::X, -DVec3::X], DVec3::Z) - 180.0).abs() < 1e-12);
+        assert!(flank_angle([DVec3::X, DVec3::Z], DVec3::Z).is_nan(), "no normal");
+    }
+}

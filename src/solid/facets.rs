@@ -76,3 +76,47 @@ impl Facets {
         self.vertices.iter().flat_map(|&vertex| stored(mesh.positions[vertex as usize])).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Composition;
+    use crate::solid::{Row, Shell};
+    use std::f64::consts::TAU;
+
+    /// A prism with so many sides: with four every edge is a crease, with sixty only the rims.
+    fn prism(sides: u32) -> (Mesh, Facets) {
+        let mut shell = Shell::new(true, 1, [DVec3::X, DVec3::Y]);
+        for z in [0.0, 1.0, 2.0] {
+            let corner = |k| glam::DVec2::from_angle(TAU * f64::from(k) / f64::from(sides)).extend(z);
+            let compositions = vec![Composition::pure(0, 1); sides as usize];
+            shell.push(&Row { points: (0..sides).map(corner).collect(), compositions }, &[]);
+        }
+        let mesh = shell.finish(true).mesh;
+        let facets = Facets::new(&mesh);
+        (mesh, facets)
+    }
+
+    #[test]
+    fn creases_part_vertices_and_smooth_sides_do_not() {
+        let (mesh, facets) = prism(4);
+        assert_eq!((mesh.positions.len(), facets.vertices.len()), (12, 2 * 12 + 2 * 4));
+        let (mesh, facets) = prism(60);
+        assert_eq!((mesh.positions.len(), facets.vertices.len()), (180, 180 + 120));
+        for (&vertex, normal) in facets.vertices.iter().zip(&facets.normals) {
+            let position = mesh.positions[vertex as usize];
+            let radial = position.truncate().extend(0.0).normalize();
+            assert!((normal.length() - 1.0).abs() < 1e-12);
+            assert!(normal.z.abs() > 1.0 - 1e-12 || normal.dot(radial) > 0.998, "{normal} at {position}");
+        }
+    }
+
+    #[test]
+    fn triangles_are_those_of_the_mesh() {
+        let (mesh, facets) = prism(7);
+        let back: Vec<[u32; 3]> =
+            facets.triangles.iter().map(|t| t.map(|corner| facets.vertices[corner as usize])).collect();
+        assert_eq!(back, mesh.triangles);
+        assert_eq!(facets.positions(&mesh).len(), 3 * facets.vertices.len());
+    }
+}

@@ -4,9 +4,12 @@ use super::mesh::stored;
 use super::{Cap, CapError, Group, Mesh, Part, Row};
 use glam::{DVec2, DVec3};
 
+/// What rounding may leave between two computations of one point, as a share of the largest coordinate of its row.
+const ROUNDING: f64 = 1e-12;
+
 /// Builds a mesh row by row, so that no more than one row has to be there at a time.
 ///
-/// Neighbours along a row or across to the next become one vertex where they are stored alike, in 32 bits: so triangles shrink to an edge or a
+/// Neighbours along a row or across to the next become one vertex where they are stored alike, in 32 bits, or differ by rounding: so triangles shrink to an edge or a
 /// point where rulings share an end or have no length, and are left out. Each quadrilateral is cut along its shorter diagonal.
 #[derive(Debug, Clone)]
 pub struct Shell {
@@ -45,17 +48,19 @@ impl Shell {
         let count = row.points.len();
         assert_eq!(row.compositions.len(), count, "one composition for each vertex");
         assert!(self.last.is_empty() || self.last.len() == count, "rows of equal length");
-        let keys: Vec<[f32; 3]> = row.points.iter().map(|&point| stored(point)).collect();
-        let is_wrapped = |k: &&[f32; 3]| self.is_closed && **k == keys[0];
-        let wrapped = count - keys.iter().skip(1).rev().take_while(is_wrapped).count();
+        let size = row.points.iter().fold(0.0_f64, |size, point| size.max(point.abs().max_element()));
+        let are_one =
+            |a: DVec3, b: DVec3| (a - b).abs().max_element() <= ROUNDING * size || stored(a) == stored(b);
+        let is_wrapped = |point: &&DVec3| self.is_closed && are_one(**point, row.points[0]);
+        let wrapped = count - row.points.iter().skip(1).rev().take_while(is_wrapped).count();
         let mut row_vertices: Vec<u32> = Vec::with_capacity(count);
-        for (k, key) in keys.iter().enumerate() {
-            let is_here = |vertex: &u32| stored(self.mesh.positions[*vertex as usize]) == *key;
+        for (k, &point) in row.points.iter().enumerate() {
+            let is_here = |vertex: &u32| are_one(self.mesh.positions[*vertex as usize], point);
             let before = row_vertices.last().copied().filter(is_here);
             let below = || self.last.get(k).copied().filter(is_here);
             let known = if k >= wrapped { row_vertices.first().copied() } else { before.or_else(below) };
             let vertex = known.unwrap_or_else(|| {
-                self.mesh.positions.push(row.points[k]);
+                self.mesh.positions.push(point);
                 self.mesh.fractions.extend_from_slice(row.compositions[k].fractions());
                 if !scalars.is_empty() {
                     self.mesh.scalars.push(0.0);
@@ -156,4 +161,75 @@ fn rim(row: &[u32]) -> Vec<u32> {
         rim.pop();
     }
     rim
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Composition;
+    use crate::solid::{is_watertight, volume};
+    use glam::dvec3;
+
+    fn build(rows: &[Vec<DVec3>], scalars: &[f64]) -> Shelled {
+        let mut shell = Shell::new(true, 1, [DVec3::X, DVec3::Y]);
+        for points in rows {
+            let compositions = vec![Composition::pure(0, 1); points.len()];
+            shell.push(&Row { points: points.clone(), compositions }, scalars);
+        }
+        shell.finish(true)
+    }
+
+    fn square(half: f64, z: f64) -> Vec<DVec3> {
+        vec![dvec3(half, half, z), dvec3(-half, half, z), dvec3(-half, -half, z), dvec3(half, -half, z)]
+    }
+
+    #[test]
+    fn a_box_has_eight_vertices() {
+        let Shelled { mesh, uncapped } = build(&[square(1.0, 0.0), square(1.0, 3.0)], &[]);
+        assert_eq!((mesh.positions.len(), mesh.triangles.len(), uncapped), (8, 12, [None; 2]));
+        assert!(is_watertight(&mesh) && (volume(&mesh) - 12.0).abs() < 1e-12);
+    }
+
+    /// Lines that share an end in a fan, across the seam too; the number of a shared vertex is the mean.
+    #[test]
+    fn shared_ends_become_one_vertex() {
+        let [a, b, c, d] = square(1.0, 0.0).try_into().expect("four points");
+        let fan = vec![a, b, b, b, c, d, d + 1e-13, a + 1e-13];
+        let upper: Vec<DVec3> =
+            (0..8).map(|k| (3.0 * DVec2::from_angle((0.5 + f64::from(k)) * 0.785)).extend(2.0)).collect();
+        let scalars: Vec<f64> = (0..8).map(f64::from).collect();
+        let Shelled { mesh, uncapped } = build(&[fan, upper], &scalars);
+        assert_eq!((mesh.positions.len(), uncapped), (12, [None; 2]));
+        assert_eq!(mesh.triangles.len(), 12 + 2 + 6, "a triangle for each edge of either rim, and two caps");
+        assert!(is_watertight(&mesh));
+        assert_eq!(mesh.scalars[..4], [3.5, 2.0, 4.0, 5.5]);
+    }
+
+    /// A wedge: one side of both rims is the same, so that rulings have no length there.
+    #[test]
+    fn rulings_without_length_leave_an_edge() {
+        let lower = square(1.0, 0.0);
+        let mut upper = square(1.0, 2.0);
+        (upper[1], upper[2]) = (lower[1], lower[2]);
+        let Shelled { mesh, .. } = build(&[lower, upper], &[]);
+        assert_eq!(mesh.positions.len(), 6);
+        assert!(is_watertight(&mesh));
+        assert!((volume(&mesh) - 4.0).abs() < 1e-12, "half of a box");
+    }
+
+    #[test]
+    fn a_row_that_is_one_point_is_a_tip() {
+        let Shelled { mesh, uncapped } = build(&[square(1.0, 0.0), vec![DVec3::Z * 3.0; 4]], &[]);
+        assert_eq!((mesh.positions.len(), mesh.triangles.len(), uncapped), (5, 6, [None; 2]));
+        assert!(is_watertight(&mesh) && (volume(&mesh) - 4.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_rim_that_meets_itself_has_no_cap() {
+        let bow =
+            |z: f64| vec![dvec3(0.0, 0.0, z), dvec3(2.0, 1.0, z), dvec3(2.0, 0.0, z), dvec3(0.0, 2.0, z)];
+        let Shelled { mesh, uncapped } = build(&[bow(0.0), square(1.0, 1.0)], &[]);
+        assert!(matches!(uncapped, [Some(CapError::Crossing { .. }), None]));
+        assert!(!is_watertight(&mesh));
+    }
 }

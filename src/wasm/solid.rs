@@ -8,7 +8,7 @@ use super::results::{DiagnosticResult, to_value};
 use crate::document::{
     DocumentError, Outcome, Solid, SolidJob, SolidOptions, SolidRemark, Solution, flat, why_no_solid,
 };
-use crate::solid::{Facets, FileJob, Format, Group, Part, area, volume};
+use crate::solid::{Facets, FileJob, Format, Group, Part};
 use glam::DVec3;
 use js_sys::{Array, Float32Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -29,7 +29,8 @@ pub struct Modelling {
 enum Work {
     Building(Box<SolidJob>),
     Shading(Box<Solid>),
-    Shaded(Box<Solid>, Facets),
+    Drawing(Box<Solid>, Facets),
+    Drawn(Box<Solid>, Box<Drawn>),
     Writing(FileJob),
     Written(Vec<u8>),
     /// There is no solid.
@@ -125,22 +126,23 @@ impl Modelling {
                 },
                 Work::Shading(solid) => {
                     let facets = Facets::new(&solid.mesh);
-                    Work::Shaded(solid, facets)
+                    Work::Drawing(solid, facets)
+                }
+                Work::Drawing(solid, facets) => {
+                    let drawn = Drawn::new(&solid, facets);
+                    Work::Drawn(solid, Box::new(drawn))
                 }
                 Work::Writing(mut job) => match job.step(&mut may_go_on) {
                     None => Work::Writing(job),
                     Some(bytes) => Work::Written(bytes),
                 },
-                done => done,
-            };
-            let progress = match &self.work {
-                Work::Building(job) => 0.6 * job.progress(),
-                Work::Shading(_) => 0.6,
-                Work::Writing(job) => 0.6 + 0.399 * job.progress(),
-                Work::Shaded(..) | Work::Written(_) | Work::Nothing => return 1.0,
+                done => {
+                    self.work = done;
+                    return 1.0;
+                }
             };
             if !may_go_on() {
-                return progress;
+                return self.progress();
             }
         }
     }
@@ -150,22 +152,20 @@ impl Modelling {
         if let Work::Written(bytes) = &self.work {
             return Ok(Uint8Array::from(bytes.as_slice()).into());
         }
-        let (solid, facets) = match &self.work {
-            Work::Shaded(solid, facets) => (Some(solid.as_ref()), Some(facets)),
-            _ => (None, None),
+        let blank = Drawn::default();
+        let (solid, drawn) = match &self.work {
+            Work::Drawn(solid, drawn) => (Some(solid.as_ref()), drawn.as_ref()),
+            _ => (None, &blank),
         };
-        let value = to_value(&self.plain(solid))?;
-        let object = Object::from(value);
+        let object = Object::from(to_value(&self.plain(solid))?);
         let set = |name: &str, value: JsValue| Reflect::set(&object, &name.into(), &value).map(|_| ());
-        let drawn = solid.zip(facets).map(|(solid, facets)| Drawn::new(solid, facets)).unwrap_or_default();
         set("positions", Float32Array::from(drawn.positions.as_slice()).into())?;
         set("normals", Float32Array::from(drawn.normals.as_slice()).into())?;
         set("colors", Uint8Array::from(drawn.colors.as_slice()).into())?;
         set("fractions", Float32Array::from(drawn.fractions.as_slice()).into())?;
         let scalars = drawn.scalars.as_deref();
         set("scalar", scalars.map_or(JsValue::NULL, |scalars| Float32Array::from(scalars).into()))?;
-        let indices = facets.map_or(&[][..], |facets| facets.triangles.as_flattened());
-        set("indices", Uint32Array::from(indices).into())?;
+        set("indices", Uint32Array::from(drawn.triangles.as_flattened()).into())?;
         let rulings = solid.map_or_else(Vec::new, |solid| numbers(solid.rulings.as_flattened()));
         set("rulings", Float32Array::from(rulings.as_slice()).into())?;
         set("stages", polylines(solid.map_or(&[], |solid| &solid.stages)))?;
@@ -175,11 +175,22 @@ impl Modelling {
 }
 
 impl Modelling {
+    /// Share of the work that is done, below 1 until `step` finds nothing left to do: what is handed over takes a turn of its own.
+    fn progress(&self) -> f64 {
+        match &self.work {
+            Work::Building(job) => 0.6 * job.progress(),
+            Work::Shading(_) => 0.6,
+            Work::Drawing(..) => 0.8,
+            Work::Writing(job) => 0.6 + 0.39 * job.progress(),
+            Work::Drawn(..) | Work::Written(_) | Work::Nothing => 0.99,
+        }
+    }
+
     fn plain(&self, solid: Option<&Solid>) -> SolidResult {
         let remarks = solid.map_or_else(|| flat(&self.solution).into_iter().collect(), |s| s.remarks.clone());
         let diagnostics = self.solution.diagnostics.iter().map(DiagnosticResult::from);
         let diagnostics = diagnostics.chain(remarks.iter().map(DiagnosticResult::from)).collect();
-        let Some(Solid { mesh, range, is_closed, is_watertight, .. }) = solid else {
+        let Some(Solid { mesh, range, is_closed, is_watertight, volume, area, .. }) = solid else {
             return SolidResult { diagnostics, ..SolidResult::default() };
         };
         let is_whole = *is_watertight || !is_closed || self.may_be_open;
@@ -190,8 +201,8 @@ impl Modelling {
             groups: mesh.groups.iter().map(GroupResult::from).collect(),
             bounds: mesh.bounds().map(|(min, max)| BoundsResult { min: min.to_array(), max: max.to_array() }),
             watertight: *is_watertight,
-            volume: is_watertight.then(|| volume(mesh)),
-            area: area(mesh),
+            volume: *volume,
+            area: *area,
             projection: None,
         }
     }
@@ -205,10 +216,11 @@ struct Drawn {
     colors: Vec<u8>,
     fractions: Vec<f32>,
     scalars: Option<Vec<f32>>,
+    triangles: Vec<[u32; 3]>,
 }
 
 impl Drawn {
-    fn new(Solid { mesh, colors, .. }: &Solid, facets: &Facets) -> Self {
+    fn new(Solid { mesh, colors, .. }: &Solid, facets: Facets) -> Self {
         let vertices = || facets.vertices.iter().map(|&vertex| vertex as usize);
         let color = |vertex: usize| [colors[vertex].r, colors[vertex].g, colors[vertex].b, u8::MAX];
         let has_scalars = !mesh.scalars.is_empty();
@@ -218,6 +230,7 @@ impl Drawn {
             colors: vertices().flat_map(color).collect(),
             fractions: vertices().flat_map(|k| mesh.fractions_at(k)).map(|&part| part as f32).collect(),
             scalars: has_scalars.then(|| vertices().map(|k| mesh.scalars[k] as f32).collect()),
+            triangles: facets.triangles,
         }
     }
 }
