@@ -24,6 +24,8 @@ pub struct Solid {
     pub curves: Vec<Vec<DVec3>>,
     /// Whether the curves are closed.
     pub is_closed: bool,
+    /// Whether the mesh is not to be watertight: of open curves, or without caps.
+    pub may_be_open: bool,
     /// Whether the mesh is watertight.
     pub is_watertight: bool,
     /// Volume inside, of a watertight mesh.
@@ -51,7 +53,7 @@ pub enum SolidRemark {
         /// Where it meets itself, in the plane.
         at: Option<DVec2>,
     },
-    /// In the 32 bits in which vertices are stored some that are apart become one.
+    /// The 32 bits in which vertices are stored do not hold them apart, or change the shape.
     Rounded,
 }
 
@@ -88,13 +90,20 @@ impl fmt::Display for SolidRemark {
             }
             Self::Rounded => write!(
                 f,
-                "vertices that lie apart are the same in the 32 bits in which they are stored; move the curves nearer to the origin"
+                "vertices are stored in 32 bits, which are too few for this shape at this place; move the curves nearer to the origin, or their heights farther apart"
             ),
         }
     }
 }
 
 impl Solid {
+    /// Tells whether the mesh is what it is to be: watertight, unless it may be open, and hardly changed by being stored in 32 bits.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        let is_rounded = self.remarks.contains(&SolidRemark::Rounded);
+        (self.is_watertight || self.may_be_open) && !is_rounded
+    }
+
     /// Begins a file of the solid of a solution.
     #[must_use]
     pub fn into_file(self, format: Format, solution: &Solution) -> FileJob {

@@ -8,7 +8,7 @@ use crate::curve::BSpline;
 use crate::material::{Color, Oklab, mix_fractions, viridis};
 use crate::morph::{Band, Ruling};
 use crate::solid::{
-    CapError, Mesh, Row, Shell, Shelled, area, flank_angle, is_watertight, twist_angle, volume,
+    CapError, Mesh, Row, Shell, Shelled, area, flank_angle, is_watertight, stored_volume, twist_angle, volume,
 };
 use glam::DVec3;
 use std::rc::Rc;
@@ -21,6 +21,9 @@ const RULINGS: usize = 176;
 
 /// Smallest angle in degrees that the range of a map of angles spans, on either side of 0: less is not worth a colour.
 const LEAST_ANGLE: f64 = 1.0;
+
+/// Share of its volume that a solid may gain or lose by being stored in 32 bits.
+const MOST_ROUNDED: f64 = 1e-3;
 
 /// Distance from the drawn curves of the polylines that stand for them, as a share of the diagonal of their box.
 const TOLERANCE: f64 = 1e-4;
@@ -138,7 +141,6 @@ impl SolidJob {
     }
 
     fn color(&mut self, Shelled { mesh, uncapped }: Shelled, volume: Option<f64>) -> Solid {
-        let is_watertight = volume.is_some();
         let model = &self.solution.model;
         let is_closed = self.band.is_closed();
         let mut remarks: Vec<SolidRemark> = uncapped
@@ -154,8 +156,11 @@ impl SolidJob {
             .collect();
         if !is_closed {
             remarks.push(SolidRemark::OpenSheet);
-        } else if self.options.caps && remarks.is_empty() && !is_watertight {
-            remarks.push(SolidRemark::Rounded);
+        } else if self.options.caps && remarks.is_empty() {
+            let is_kept = |volume: f64| (stored_volume(&mesh) - volume).abs() <= MOST_ROUNDED * volume;
+            if !volume.is_some_and(is_kept) {
+                remarks.push(SolidRemark::Rounded);
+            }
         }
         let range = range(self.options.color, &mesh);
         let tolerance = TOLERANCE * model.bounds().diagonal();
@@ -174,7 +179,8 @@ impl SolidJob {
             range,
             stages: std::mem::take(&mut self.stages),
             is_closed,
-            is_watertight,
+            is_watertight: volume.is_some(),
+            may_be_open: !is_closed || !self.options.caps,
             remarks,
         }
     }

@@ -72,10 +72,20 @@ pub(super) fn places(positions: &[DVec3]) -> Vec<u32> {
 /// Volume inside a watertight mesh, by the divergence theorem: the sum of the signed tetrahedra from one point to all triangles.
 #[must_use]
 pub fn volume(mesh: &Mesh) -> f64 {
+    volume_of(mesh, |position| position)
+}
+
+/// Volume inside a watertight mesh as it is stored, in 32 bits: how far it is from the [`volume`] tells what rounding does to the shape.
+#[must_use]
+pub fn stored_volume(mesh: &Mesh) -> f64 {
+    volume_of(mesh, |position| DVec3::from(stored(position).map(f64::from)))
+}
+
+fn volume_of(mesh: &Mesh, place: impl Fn(DVec3) -> DVec3) -> f64 {
     let Some((low, high)) = mesh.bounds() else { return 0.0 };
     let origin = (low + high) / 2.0;
     let six_fold = |triangle: &[u32; 3]| {
-        let [a, b, c] = mesh.corners(*triangle).map(|corner| corner - origin);
+        let [a, b, c] = mesh.corners(*triangle).map(|corner| place(corner) - origin);
         a.dot(b.cross(c))
     };
     mesh.triangles.iter().map(six_fold).sum::<f64>() / 6.0

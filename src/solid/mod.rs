@@ -17,7 +17,7 @@ mod stl;
 
 pub use angles::{flank_angle, twist_angle};
 pub use cap::{Cap, CapError};
-pub use check::{area, is_watertight, volume};
+pub use check::{area, is_watertight, stored_volume, volume};
 pub use facets::Facets;
 pub use file::{FileJob, Format, Labels};
 pub use mesh::{Group, Mesh, Part};

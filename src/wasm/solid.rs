@@ -20,8 +20,6 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 pub struct Modelling {
     solution: Rc<Solution>,
     work: Work,
-    /// Whether a mesh that is not watertight is as asked for.
-    may_be_open: bool,
     /// Of a file; else the mesh is wanted as it is drawn.
     format: Option<Format>,
 }
@@ -103,10 +101,10 @@ impl Engine {
         let start = || {
             let (format, options) = read(solution.model.materials().len())?;
             let job = SolidJob::new(Rc::clone(&solution), options)?;
-            Ok((format, job.map_or(Work::Nothing, |job| Work::Building(Box::new(job))), !options.caps))
+            Ok((format, job.map_or(Work::Nothing, |job| Work::Building(Box::new(job)))))
         };
-        let (format, work, may_be_open) = start().map_err(|error| to_js(&error))?;
-        Ok(Modelling { solution, work, may_be_open, format })
+        let (format, work) = start().map_err(|error| to_js(&error))?;
+        Ok(Modelling { solution, work, format })
     }
 }
 
@@ -190,19 +188,19 @@ impl Modelling {
         let remarks = solid.map_or_else(|| flat(&self.solution).into_iter().collect(), |s| s.remarks.clone());
         let diagnostics = self.solution.diagnostics.iter().map(DiagnosticResult::from);
         let diagnostics = diagnostics.chain(remarks.iter().map(DiagnosticResult::from)).collect();
-        let Some(Solid { mesh, range, is_closed, is_watertight, volume, area, .. }) = solid else {
+        let Some(solid) = solid else {
             return SolidResult { diagnostics, ..SolidResult::default() };
         };
-        let is_whole = *is_watertight || !is_closed || self.may_be_open;
+        let mesh = &solid.mesh;
         SolidResult {
-            ok: self.solution.is_complete() && is_whole,
+            ok: self.solution.is_complete() && solid.is_whole(),
             diagnostics,
-            range: *range,
+            range: solid.range,
             groups: mesh.groups.iter().map(GroupResult::from).collect(),
             bounds: mesh.bounds().map(|(min, max)| BoundsResult { min: min.to_array(), max: max.to_array() }),
-            watertight: *is_watertight,
-            volume: *volume,
-            area: *area,
+            watertight: solid.is_watertight,
+            volume: solid.volume,
+            area: solid.area,
             projection: None,
         }
     }
