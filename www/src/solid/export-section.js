@@ -12,12 +12,11 @@ import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
 import { h, write } from "../dom.js";
-import { advice } from "../explain.js";
 import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
 import { LARGEST, scaledSize } from "../files/pictures.js";
 import { problem } from "../painter.js";
-import { lackOf } from "./raise.js";
+import { lackOf, reasonOf } from "./raise.js";
 import { colorOf, rowsOf, solidUi } from "./state.js";
 import { words } from "./words.js";
 
@@ -141,7 +140,7 @@ export function createSolidExport(app) {
     const options = { color: colorOf({ ...solidUi(app), color: now.kind === "png" ? solidUi(app).color : now.color }, document.materials.length), stages: rowsOf(document) };
     const solid = await app.kernel.solid(document, options);
     const { bounds } = solid;
-    if (!solid.ok || !bounds) throw new Error(advice(/** @type {any} */ (solid)) ?? words.unmatched);
+    if (!solid.ok || !bounds) throw new Error(reasonOf(await app.kernel.match(document)));
     if (now.kind === "png") return (await import("./picture.js")).solidPicture(app, { ...solid, bounds }, now);
     const bytes = await app.kernel.solidFile(document, { ...options, caps: now.caps, format: now.kind });
     return new Blob([/** @type {Uint8Array<ArrayBuffer>} */ (bytes)], { type: TYPES[now.kind] });

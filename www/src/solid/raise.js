@@ -1,8 +1,9 @@
 /**
  * Heights of a document, and the edit that gives one curve another.
  *
- * @import { CurvesDocument } from "../types.js"
+ * @import { CurvesDocument, Match } from "../types.js"
  */
+import { advice } from "../explain.js";
 import { editable } from "../format.js";
 import { outline } from "../spline.js";
 import { changeCurve } from "../state/edits.js";
@@ -22,6 +23,9 @@ export function lackOf(document) {
   if (document.curves.length < 2) return words.needsTwo;
   return hasHeight(document) ? null : words.level(editable(document.curves[0].height, 0));
 }
+
+/** Why curves with heights bound no surface. @param {Match | null} match */
+export const reasonOf = (match) => (match && advice(match)) ?? words.unmatched;
 
 /** Whether points have heights of their own. @param {readonly (readonly number[])[]} points */
 export const hasDepth = (points) => points.some((point) => point.length > 2);

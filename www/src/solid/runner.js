@@ -3,12 +3,13 @@
  * are asked for as well.
  *
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument, Problem } from "../types.js"
+ * @import { CurvesDocument, Match, Problem } from "../types.js"
  * @import { Solid, SolidOptions } from "../../../js/directrix.js"
  *
  * @typedef {object} Outcome
  * @property {CurvesDocument} document
  * @property {Solid | null} solid
+ * @property {Match | null} match where there is no surface
  * @property {Problem | null} problem
  * @property {number | null} ms from the edit to its solid
  *
@@ -42,11 +43,14 @@ export function createRunner(app, { changed, measured, interrupted }) {
       const onprogress = (/** @type {number} */ progress) => results.set({ progress });
       try {
         const solid = await kernel.solid(document, { color, stages: rowsOf(document) }, { signal, onprogress });
-        return /** @type {Outcome} */ ({ document, solid, problem: null, ms: performance.now() - started });
+        const ms = performance.now() - started;
+        // What is wrong with a matching stands in its totals.
+        const match = solid.ok ? null : await kernel.match(document, {}, { signal });
+        return /** @type {Outcome} */ ({ document, solid, match, problem: null, ms });
       } catch (error) {
         const reason = problem(error);
         if (reason.name === "AbortError" || reason.code === "trap") throw error;
-        return /** @type {Outcome} */ ({ document, solid: null, problem: reason, ms: null });
+        return /** @type {Outcome} */ ({ document, solid: null, match: null, problem: reason, ms: null });
       }
     },
     done(outcome, wanted) {

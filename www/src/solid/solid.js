@@ -11,7 +11,7 @@ import "../../styles/space.css";
 import "../../styles/push.css";
 import "../../styles/solid.css";
 import { attribute, h, write } from "../dom.js";
-import { advice, explain } from "../explain.js";
+import { explain } from "../explain.js";
 import { editable, fixed } from "../format.js";
 import { icon } from "../icons.js";
 import { createGroups } from "../inspector/inspector.js";
@@ -24,7 +24,7 @@ import { strings } from "../strings.js";
 import { createBuildUp } from "./build-up.js";
 import { createSolidGroups, placeOf, sectionText, shareOf } from "./groups.js";
 import { createSolidLegend } from "./legend.js";
-import { lackOf, proposal, raised } from "./raise.js";
+import { lackOf, proposal, raised, reasonOf } from "./raise.js";
 import { createRunner } from "./runner.js";
 import { changeSolid, colorOf, levelsOf, solidUi } from "./state.js";
 import { measure, renderStatus, sidesOf } from "./status.js";
@@ -114,14 +114,14 @@ export function createSolid(app, { stage, aside, status }) {
   );
 
   const runner = createRunner(app, {
-    changed({ document, solid, problem, ms }) {
+    changed({ document, solid, match, problem, ms }) {
       answered = document;
-      const reason = problem ? explain(document, problem) : solid?.ok ? null : reasonOf(solid);
+      const reason = problem ? explain(document, problem) : solid?.ok ? null : reasonOf(match);
       const { bounds = null } = solid ?? {};
       const whole = solid?.ok && bounds ? { ...solid, bounds } : null;
       known = { ...known, solid: whole, ms, reason, lack: null };
       if (whole) frameOf(whole);
-      document === store.document && tell();
+      if (document === store.document) tell();
       globalThis.document.documentElement.dataset.ready = "true";
       render();
     },
@@ -286,11 +286,6 @@ export function createSolid(app, { stage, aside, status }) {
     [asked, askedColor] = [document, key];
     if (known.solid === null) known = { ...known, reason: null, lack: null };
     runner.push({ document, color });
-  }
-
-  /** @param {Awaited<ReturnType<App["kernel"]["solid"]>> | null} solid */
-  function reasonOf(solid) {
-    return (solid && advice(/** @type {any} */ (solid))) ?? words.unmatched;
   }
 
   /** The solid in words. */
