@@ -145,6 +145,7 @@ export function createApi(engine) {
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
     morphPaths: (document, options = {}) =>
       ask(() => whole(engine, "morphPaths").morphPaths(toText(document), toText(options, "options"))),
+    amounts: (document) => ask(() => whole(engine, "amounts").amounts(toText(document))),
     solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
     solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
     job(document, { paint, solid, solidFile, coarse = paint?.coarse ?? false, greedy = false } = {}) {

@@ -88,8 +88,32 @@ export interface CurvesDocument {
   view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number; patterns?: boolean };
 }
 
+/** A point [x, y, z] in document units, z up. */
+export type SpacePoint = [number, number, number];
+
+/** A curves document whose control points all lie in space; the module `full` reads it. */
+export interface SpaceDocument extends Omit<CurvesDocument, "curves"> {
+  curves: (Omit<Curve, "points" | "height"> & { points: SpacePoint[] })[];
+}
+
 /** A document as an object, or its JSON text. */
-export type DocumentInput = CurvesDocument | string;
+export type DocumentInput = CurvesDocument | SpaceDocument | string;
+
+/** What the matching of curves in space takes for granted: they are seen along one direction, each as lying at its mean height. */
+export interface Projection {
+  /** The point of the plane of the first curve that is nearest to the origin of the document. */
+  origin: SpacePoint;
+  /** Unit vector along which the curves are seen, normal of the planes. */
+  normal: SpacePoint;
+  /** Unit vectors along x and y of the plane in which results speak. */
+  axes: [SpacePoint, SpacePoint];
+  /** Mean height of each curve along the normal, which stands for the height of a plane curve. */
+  heights: number[];
+  /** Greatest distance of a curve from its mean height. */
+  deviation: number;
+  /** What is assumed, in words. */
+  assumed: string;
+}
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
@@ -194,6 +218,8 @@ export interface Match {
   optimumChange: number | null;
   /** Whether the refinement on the curves was left out, which a call without `coarse` does. */
   coarse: boolean;
+  /** Of curves in space. */
+  projection?: Projection;
 }
 
 export interface MatchOptions {
@@ -252,13 +278,55 @@ export interface Stage {
   points: Point[];
 }
 
-/** The quadrilateral between two ruling lines and two stages. */
+/** The quadrilateral between two ruling lines and two stages: a bilinear patch. */
 export interface UnitCell {
   line: number;
   stage: number;
+  /** Along the line to the next stage, then on the next line back: counter-clockwise where the first curve is the inner one. */
   corners: [Point, Point, Point, Point];
-  /** Mean fraction of each material. */
+  /** In the square of the unit; parts that are turned over against the band as a whole count as negative. */
+  area: number;
+  /** Centre of the area; of a folded cell the mean of the corners. */
+  centroid: Point;
+  /** Mean fraction of each material over the area; of a folded cell over the corners. */
   fractions: number[];
+  /** Whether the cell is turned over, in part or as a whole. */
+  folded: boolean;
+}
+
+/** What a band holds of one material. */
+export interface MaterialAmount {
+  name: string;
+  /** Whether it is empty space. */
+  void: boolean;
+  /** Integral of its fraction over the area, in the square of the unit. */
+  amount: number;
+  /** Share of the whole band, empty space included. */
+  share: number;
+}
+
+/** Areas in the plane, of curves at different heights those of the projection, in the square of the unit. */
+export interface Amounts {
+  /** The unit of the document. */
+  unit: string;
+  /** Area of the band between the curves themselves. */
+  area: number;
+  /** The same without what is empty space. */
+  body: number;
+  /** Estimated error of the area and of every amount. */
+  error: number;
+  materials: MaterialAmount[];
+  /** The same in the unit cells, whose sides are chords of the curves. */
+  cells: {
+    area: number;
+    amounts: number[];
+    /** Largest difference of the area or an amount from the exact one. */
+    difference: number;
+    /** Number of lines from which to the next one the band is turned over, at least in part. */
+    folded: number;
+  };
+  /** Difference of the heights of the curves. */
+  rise: number;
 }
 
 /** The lines that part the places with at least a fraction of one material from the others. */
@@ -553,7 +621,8 @@ export interface Solid {
   /** Volume inside; null unless `watertight`. */
   volume: number | null;
   area: number;
-  projection: null;
+  /** Of curves in space; else null. */
+  projection: Projection | null;
 }
 
 /** The functions of a module. All throw `DirectrixError`. */
@@ -582,6 +651,10 @@ export interface Directrix {
    * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
    */
   morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
+  /**
+   * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
+   */
+  amounts(document: DocumentInput): Amounts | null;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   solid(document: DocumentInput, options?: SolidOptions): Solid;
   /**

@@ -3,9 +3,12 @@
 
 mod support;
 
-use directrix::document::{Code, Json, Solid, SolidColor, SolidJob, SolidOptions, Solve, read_text};
+use directrix::document::{
+    Code, Json, Outcome, Solid, SolidColor, SolidJob, SolidOptions, Solution, Solve, insert_point, read_text,
+    why_no_solid, write_text,
+};
 use directrix::solid::{FileJob, Format, Labels, Mesh, Part};
-use glam::{DVec2, DVec3, dvec2, dvec3};
+use glam::{DQuat, DVec2, DVec3, dvec2, dvec3};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -264,7 +267,7 @@ fn flat_curves_open_curves_and_missing_caps_are_told() {
     let flat = cone(44, [5.0, 5.0]);
     let solution = Rc::new(Solve::run(read_text(&flat.to_string()).expect("valid")).expect("curves"));
     assert_eq!(SolidJob::run(Rc::clone(&solution), SolidOptions::default()), Ok(None));
-    let reason = directrix::document::why_no_solid(&solution);
+    let reason = why_no_solid(&solution);
     assert_eq!((reason.code, reason.path.as_str()), (Code::NoSolid, "curves[1].height"));
     assert!(
         reason.message.contains("both are at 5") && reason.message.contains("`height`"),
@@ -371,4 +374,163 @@ fn options_of_files_need_a_format() {
         let error = read(text).expect_err("refused");
         assert_eq!((error.code, error.path.as_str()), (code, path));
     }
+}
+
+/// Control points of a ring round the z axis whose height rises and falls with three times the angle, turned and moved in space.
+fn wavy(radius: f64, wave: f64, height: f64, pose: DQuat) -> Value {
+    let count = 96;
+    let step = TAU / f64::from(count);
+    let point = |k: u32, at: DVec2| {
+        let rise = 3.0 * wave * (3.0 * step * f64::from(k)).sin() / (2.0 + (3.0 * step).cos());
+        (pose * at.extend(height + rise)).to_array()
+    };
+    let points: Vec<[f64; 3]> = (0..count).zip(circle(radius, 96)).map(|(k, at)| point(k, at)).collect();
+    json!({"degree": 3, "form": "periodic", "points": points})
+}
+
+fn in_space(waves: [f64; 2], heights: [f64; 2], pose: DQuat) -> Value {
+    let curves = [wavy(10.0, waves[0], heights[0], pose), wavy(25.0, waves[1], heights[1], pose)];
+    document(curves, &json!({"method": "shift", "shift": 16}), [192, 192])
+}
+
+fn solution_of(document: &Value) -> Solution {
+    Solve::run(read_text(&document.to_string()).expect("fields in range")).expect("curves")
+}
+
+/// Points with a z of their own that lie level are plane curves at those heights, and say what was assumed.
+#[test]
+fn level_curves_in_space_are_plane_curves() {
+    let space = in_space([0.0, 0.0], [-3.0, 27.0], DQuat::IDENTITY);
+    let solution = solution_of(&space);
+    let projection = solution.model.projection().expect("curves in space");
+    assert!(
+        (projection.axes[2] - DVec3::Z).length() < 1e-9 && (projection.axes[0] - DVec3::X).length() < 1e-9
+    );
+    assert!(projection.deviation < 1e-9 && (projection.origin - dvec3(0.0, 0.0, -3.0)).length() < 1e-9);
+    assert!(projection.assumed().contains("mean height"));
+    let plane = turned(192, 16);
+    for color in [SolidColor::Twist, SolidColor::Flank] {
+        let [here, there] = [&space, &plane].map(|document| solved(document, with(5, color)));
+        assert!((here.volume.expect("watertight") / there.volume.expect("watertight") - 1.0).abs() < 1e-9);
+        let pairs = here.mesh.scalars.iter().zip(&there.mesh.scalars);
+        assert!(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e-6);
+        assert!(solution_of(&plane).model.projection().is_none());
+    }
+}
+
+/// However curves lie in space, their solid is the same, as long as they are seen from the same side: a shift depends on it.
+#[test]
+fn a_pose_changes_nothing_of_a_solid() {
+    let at_rest = in_space([1.5, 2.0], [0.0, 30.0], DQuat::IDENTITY);
+    let lines = |solution: &Solution| -> Vec<f64> {
+        let (_, lines, _) = solution.lines().expect("lines");
+        lines.iter().map(|line| line.value).collect()
+    };
+    let expected = lines(&solution_of(&at_rest));
+    let volume = solved(&at_rest, with(8, SolidColor::Flank)).volume.expect("watertight");
+    for (axis, angle) in [(DVec3::X, 0.7), (dvec3(1.0, -2.0, 0.5), 1.0), (DVec3::Y, PI / 2.0)] {
+        let pose = DQuat::from_axis_angle(axis.normalize(), angle);
+        let moved = in_space([1.5, 2.0], [0.0, 30.0], pose);
+        let solution = solution_of(&moved);
+        let axes = solution.model.projection().expect("curves in space").axes;
+        assert!((axes[2].dot(pose * DVec3::Z).abs() - 1.0).abs() < 1e-9);
+        let found = lines(&solution);
+        assert!(found.len() == expected.len() && solution.is_complete());
+        assert!(found.iter().zip(&expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-6), "{angle}");
+        let solid = solved(&moved, with(8, SolidColor::Flank));
+        assert!((read_again(&solid.mesh).expect("watertight") / volume - 1.0).abs() < 1e-6);
+        for position in &solid.mesh.positions {
+            let back = pose.inverse() * *position;
+            assert!(back.truncate().length() > 8.0 && (-2.1..=32.1).contains(&back.z), "{back}");
+        }
+    }
+}
+
+/// The rims of the solid are the curves in space, not their projections; the map of flanks knows their slope.
+#[test]
+fn rims_and_angles_are_those_in_space() {
+    let solid = solved(&in_space([1.5, 2.0], [0.0, 30.0], DQuat::IDENTITY), with(6, SolidColor::Flank));
+    for (stage, [wave, height, radius]) in [(0, [1.5, 0.0, 10.0]), (6, [2.0, 30.0, 25.0])] {
+        for point in &solid.stages[stage] {
+            let angle = point.y.atan2(point.x);
+            assert!((point.z - height - wave * (3.0 * angle).sin()).abs() < 1e-5, "{point}");
+            assert!((point.truncate().length() - radius).abs() < 1e-5);
+        }
+    }
+    let deviation = solution_of(&in_space([1.5, 2.0], [0.0, 30.0], DQuat::IDENTITY));
+    assert!((deviation.model.projection().expect("curves in space").deviation - 2.0).abs() < 1e-3);
+    // By differences of the exact curves, at the first ruling.
+    let at = |radius: f64, wave: f64, height: f64, angle: f64| {
+        (radius * DVec2::from_angle(angle)).extend(height + wave * (3.0 * angle).sin())
+    };
+    let start = TAU / 96.0;
+    let tangent = |radius: f64, wave: f64, angle: f64| {
+        at(radius, wave, 0.0, angle + 1e-5) - at(radius, wave, 0.0, angle - 1e-5)
+    };
+    let ruling = at(25.0, 2.0, 30.0, start + FRAC_PI_6) - at(10.0, 1.5, 0.0, start);
+    let normals = [tangent(10.0, 1.5, start), tangent(25.0, 2.0, start + FRAC_PI_6)].map(|t| t.cross(ruling));
+    let flank = normals[0].angle_between(normals[1]).to_degrees();
+    assert!((solid.mesh.scalars[0] - flank).abs() < 1e-2, "{}, {flank}", solid.mesh.scalars[0]);
+}
+
+#[test]
+fn wrong_curves_in_space_are_refused_by_path() {
+    let refused = |edit: &dyn Fn(&mut Value)| {
+        let mut document = in_space([1.0, 1.0], [0.0, 30.0], DQuat::IDENTITY);
+        edit(&mut document);
+        match read_text(&document.to_string()).and_then(Solve::run) {
+            Err(error) => (error.code, error.path, error.message),
+            Ok(Solution { outcome: Outcome::Refused(error), .. }) => (error.code, error.path, error.message),
+            Ok(_) => panic!("accepted"),
+        }
+    };
+    let is = |edit: &dyn Fn(&mut Value), code: Code, path: &str| {
+        let (found, at, message) = refused(edit);
+        assert_eq!((found, at.as_str()), (code, path), "{message}");
+        message
+    };
+    is(&|d| d["curves"][1]["points"][4] = json!([1, 2]), Code::Type, "curves[1].points[4]");
+    is(&|d| d["curves"][0]["points"][4] = json!([1, 2, 3, 4]), Code::Type, "curves[0].points[4]");
+    is(&|d| d["curves"][0]["points"][4][2] = json!(1e13), Code::Range, "curves[0].points[4][2]");
+    is(&|d| d["curves"][1] = curve(&circle(25.0, 96), 0.0), Code::Type, "curves[1].points");
+    is(&|d| d["curves"][0]["height"] = json!(2), Code::Range, "curves[0].height");
+    let straight: Vec<[f64; 3]> = (0..6).map(|k| [f64::from(k), 2.0 * f64::from(k), 3.0]).collect();
+    let line = json!({"degree": 3, "form": "periodic", "points": straight});
+    is(&|d| d["curves"] = json!([line, line]), Code::ZeroLength, "curves");
+    let point = json!({"degree": 3, "form": "periodic", "points": vec![[1, 1, 1]; 6]});
+    is(&|d| d["curves"][0] = point.clone(), Code::ZeroLength, "curves[0].points");
+    let clamped = json!({"degree": 2, "form": "clamped",
+        "points": [[20, 0, 0], [0, 20, 0], [-20, 0, 0], [0, -20, 0], [20, 0, 1e-3]]});
+    is(&|d| d["curves"][0] = clamped.clone(), Code::Points, "curves[0].points[4]");
+    // Loops that pass each other in space, one above the other.
+    let eight: Vec<[f64; 3]> = (0..24)
+        .map(|k| TAU * f64::from(k) / 24.0)
+        .map(|t| [20.0 * t.sin(), 10.0 * (2.0 * t).sin(), 3.0 * t.cos()])
+        .collect();
+    let eight = json!({"degree": 3, "form": "periodic", "points": eight});
+    let message = is(&|d| d["curves"][0] = eight.clone(), Code::SelfIntersection, "curves[0].points");
+    assert!(message.starts_with("as they are seen on the plane"), "{message}");
+}
+
+#[test]
+fn documents_in_space_are_written_as_they_were_read_and_take_points() {
+    let text = in_space([1.0, 2.0], [0.0, 30.0], DQuat::from_rotation_x(0.3)).to_string();
+    let document = read_text(&text).expect("valid");
+    let written = write_text(&document).expect("finite");
+    assert_eq!(read_text(&written), Ok(document.clone()));
+    let points =
+        |text: &str| serde_json::from_str::<Value>(text).expect("JSON")["curves"][1]["points"].clone();
+    assert_eq!(points(&written), points(&text));
+    let more = insert_point(document.clone(), 1, 0.3).expect("inserted");
+    assert_eq!(more.curves[1].points.len(), 97);
+    let solids = [document, more].map(|document| {
+        let solution = Rc::new(Solve::run(document).expect("curves"));
+        SolidJob::run(solution, with(3, SolidColor::Material)).expect("within limits").expect("a solid")
+    });
+    let pairs = solids[0].stages.iter().flatten().zip(solids[1].stages.iter().flatten());
+    assert!(pairs.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max) < 1e-6, "the shape stays");
+
+    let level = in_space([0.0, 0.0], [5.0, 5.0], DQuat::from_rotation_y(1.0));
+    let reason = why_no_solid(&solution_of(&level));
+    assert_eq!((reason.code, reason.path.as_str()), (Code::NoSolid, "curves[1].points"));
 }

@@ -4,6 +4,9 @@
 //! [`CurvesDocument`] or says which field is wrong; [`Model`] holds its curves ready for evaluation; [`Solve`] is
 //! the job that matches them. The format itself is described in `docs/format.md`.
 
+#[cfg(feature = "amounts")]
+mod amounts;
+mod control_points;
 mod diagnostic;
 mod direction;
 mod error;
@@ -16,6 +19,8 @@ mod model;
 mod node;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "solid")]
+mod projection;
 mod read;
 mod schema;
 #[cfg(feature = "solid")]
@@ -29,6 +34,9 @@ mod solve;
 mod space;
 mod work;
 
+#[cfg(feature = "amounts")]
+pub use amounts::{BandAmounts, amounts};
+pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
@@ -40,6 +48,8 @@ pub use model::Model;
 pub(crate) use node::Node;
 #[cfg(feature = "paths")]
 pub use paths::{PathOptions, paths};
+#[cfg(feature = "solid")]
+pub use projection::Projection;
 pub use read::{LONGEST_TEXT, check_length, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub use read::{read_text, write_text};

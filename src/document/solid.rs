@@ -1,5 +1,6 @@
 //! The ruled surface of a document in space, and the solid that it encloses.
 
+use super::space::Space;
 use super::{Code, DocumentError, Solution};
 use crate::geom::ShownPlace;
 use crate::material::Color;
@@ -39,10 +40,10 @@ pub struct Solid {
 /// Something about a solid that a person should know, or why there is none.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SolidRemark {
-    /// The curves lie at the same height, so that there is no solid.
+    /// The curves lie in one plane, so that there is no solid.
     Flat {
-        /// That height.
-        height: f64,
+        /// Its height, of plane curves.
+        height: Option<f64>,
     },
     /// The curves are open, so that there is a surface but no solid.
     OpenSheet,
@@ -73,7 +74,13 @@ impl SolidRemark {
 impl fmt::Display for SolidRemark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Flat { height } => write!(
+            Self::Flat { height: None } => {
+                write!(
+                    f,
+                    "a solid needs curves that do not lie in one plane; give the points of one of them another z"
+                )
+            }
+            Self::Flat { height: Some(height) } => write!(
                 f,
                 "a solid needs curves at different heights, and both are at {height}; give one of them another `height`"
             ),
@@ -117,18 +124,24 @@ impl Solid {
     }
 }
 
-/// The height at which both curves of a solution lie, where they lie at one.
+/// Tells where both curves of a solution lie in one plane.
 #[must_use]
 pub fn flat(solution: &Solution) -> Option<SolidRemark> {
-    let [first, second] = solution.model.document().curves.as_slice() else { return None };
-    (first.height == second.height).then_some(SolidRemark::Flat { height: first.height })
+    let model = &solution.model;
+    let height = model.document().curves.first()?.height;
+    let is_flat = Space::of(model)?.is_flat();
+    is_flat.then(|| SolidRemark::Flat { height: model.projection().is_none().then_some(height) })
 }
 
 /// Why a solution has no solid.
 #[must_use]
 pub fn why_no_solid(solution: &Solution) -> DocumentError {
     let flat = flat(solution);
-    let path = flat.as_ref().map_or("", |_| "curves[1].height");
+    let path = match flat {
+        None => "",
+        Some(SolidRemark::Flat { height: None }) => "curves[1].points",
+        Some(_) => "curves[1].height",
+    };
     let reason = || solution.diagnostics.last().map(ToString::to_string);
     let message = flat.map(|flat| flat.to_string()).or_else(reason);
     let message = message.unwrap_or_else(|| "the matching is not complete".to_owned());

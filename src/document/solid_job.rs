@@ -63,7 +63,7 @@ impl SolidJob {
     pub fn new(solution: Rc<Solution>, options: SolidOptions) -> Result<Option<Self>, DocumentError> {
         let model = &solution.model;
         let Some(((curves, _), known)) = model.pair().zip(solution.band()) else { return Ok(None) };
-        let Some(space) = Space::of(model).filter(|_| model.gap() > 0.0) else { return Ok(None) };
+        let Some(space) = Space::of(model).filter(|space| !space.is_flat()) else { return Ok(None) };
         let segments = options.stages.unwrap_or_else(|| model.document().segments());
         let band = with_corners(model, curves, known);
         let count = band.rulings().len();

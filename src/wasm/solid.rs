@@ -4,7 +4,7 @@ use super::clock;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
-use super::results::{DiagnosticResult, to_value};
+use super::results::{DiagnosticResult, ProjectionResult, to_value};
 use crate::document::{
     DocumentError, Outcome, Solid, SolidJob, SolidOptions, SolidRemark, Solution, flat, why_no_solid,
 };
@@ -46,7 +46,7 @@ struct SolidResult {
     watertight: bool,
     volume: Option<f64>,
     area: f64,
-    projection: Option<()>,
+    projection: Option<ProjectionResult>,
 }
 
 #[derive(Serialize)]
@@ -201,7 +201,7 @@ impl Modelling {
             watertight: solid.is_watertight,
             volume: solid.volume,
             area: solid.area,
-            projection: None,
+            projection: ProjectionResult::of(&self.solution.model),
         }
     }
 }

@@ -6,9 +6,10 @@ import { DirectrixError, load } from "directrix";
 import { OBJLoader } from "three/addons/loaders/OBJLoader.js";
 import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
+import { completed } from "../../www/src/kernel.js";
 
 /** @import { BufferGeometry, Mesh } from "three" */
-/** @import { CurvesDocument, Solid, SolidFileOptions } from "directrix" */
+/** @import { CurvesDocument, Solid, SolidFileOptions, SpaceDocument, SpacePoint } from "directrix" */
 
 const dx = await load();
 
@@ -231,4 +232,40 @@ test("a file of a map has the angles too", () => {
   const { range } = dx.solid(document, { stages: 2, color: "flank" });
   const degrees = [...ply.getAttribute("degrees").array];
   assert.ok(range && Math.abs(Math.max(...degrees) - range[1]) < 1e-4 && Math.min(...degrees) >= 0);
+});
+
+/** Two rings that wave, each about a level of its own. @returns {SpaceDocument} */
+function inSpace() {
+  const ring = (/** @type {number} */ radius, /** @type {number} */ height) => ({
+    degree: 3,
+    form: /** @type {const} */ ("periodic"),
+    points: Array.from({ length: 24 }, (_, k) => {
+      const angle = (2 * Math.PI * k) / 24;
+      return /** @type {SpacePoint} */ ([radius * Math.cos(angle), radius * Math.sin(angle), height + 2 * Math.sin(2 * angle)]);
+    }),
+  });
+  return { directrix: 1, kind: "curves", matching: { method: "exact", oneToOne: true }, curves: [ring(10, 0), ring(25, 30)] };
+}
+
+test("curves in space are matched as they are seen, say so, and are the rims of their solid", async () => {
+  const document = inSpace();
+  const match = dx.match(document);
+  const { projection } = match;
+  assert.ok(match.ok && projection);
+  assert.ok(Math.abs(projection.normal[2] - 1) < 1e-9 && projection.deviation > 1 && projection.deviation < 2);
+  assert.ok(Math.abs(projection.heights[1] - projection.heights[0] - 30) < 1e-6);
+  assert.match(projection.assumed, /seen along the normal/);
+  const solid = dx.solid(document, { stages: 4 });
+  assert.ok(solid.ok && solid.watertight && checked(solid).closed);
+  assert.deepEqual(solid.projection, projection);
+  const rim = solid.stages[0].filter((_, k) => k % 3 === 2);
+  assert.ok(Math.max(...rim) > 1 && Math.min(...rim) < -1, "not flattened");
+  assert.equal(dx.match(preset("amoeba")).projection, undefined);
+  const [first] = dx.defaults(document).curves;
+  assert.deepEqual([first.points[3].length, first.height], [3, 0]);
+  const figure = await load({ module: "figure" });
+  assert.equal(refused(() => figure.match(document)).path, "curves[0].points[0]");
+  const shown = completed(/** @type {any} */ (dx), document);
+  await assert.rejects(shown, ({ code, path }) => code === "not-yet" && path === "curves[0].points");
+  assert.equal((await completed(/** @type {any} */ (dx), preset("amoeba"))).curves.length, 2);
 });

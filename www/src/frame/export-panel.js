@@ -2,10 +2,11 @@
  * The export: format, how it looks, and where it goes.
  *
  * @import { App } from "../state/app.js"
- * @import { Format, Table, Wanted } from "../files/contents.js"
+ * @import { Content, Format, Table, Wanted } from "../files/contents.js"
  */
 import "../../styles/export.css";
 import "../../styles/push.css";
+import { words as ofCells } from "../cells/words.js";
 import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
@@ -33,15 +34,18 @@ const FIRST_SCALE = "2";
 
 /**
  * What was chosen last, for as long as the page is open; `section`: the export with a section of its own, where that was one.
- * @type {{format: Format, table: Table, transparent: boolean, section: keyof typeof SECTIONS | null}}
+ * @type {{format: Format, table: Table, content: Content, transparent: boolean, section: keyof typeof SECTIONS | null}}
  */
-const last = { format: "png", table: "lines", transparent: false, section: null };
+const last = { format: "png", table: "lines", content: "document", transparent: false, section: null };
 
 /** @param {App} app */
 export function showExport(app) {
   const { size } = app.ui.value;
   /** @type {Wanted} */
-  const wanted = { format: last.format, table: last.table, transparent: last.transparent, theme: app.ui.value.theme, ...scaledSize(size, Number(FIRST_SCALE)) };
+  const wanted = {
+    ...{ format: last.format, table: last.table, content: last.content, transparent: last.transparent, theme: app.ui.value.theme },
+    ...scaledSize(size, Number(FIRST_SCALE)),
+  };
 
   const format = segment(
     {
@@ -86,9 +90,20 @@ export function showExport(app) {
     {
       label: words.table,
       name: "export-table",
-      choices: /** @type {const} */ (["lines", "stages"]).map((value) => ({ value, text: words.tables[value] })),
+      choices: /** @type {const} */ (["lines", "stages", "cells"]).map((value) => ({
+        value,
+        text: value === "cells" ? ofCells.table : words.tables[value],
+      })),
     },
     (value) => change({ table: value }),
+  );
+  const content = segment(
+    {
+      label: ofCells.content,
+      name: "export-content",
+      choices: /** @type {const} */ (["document", "cells"]).map((value) => ({ value, text: ofCells.contents[value] })),
+    },
+    (value) => change({ content: value }),
   );
 
   const rows = {
@@ -97,9 +112,10 @@ export function showExport(app) {
     theme: row(words.theme, theme),
     background: row(words.background, transparent),
     table: row(words.table, table),
+    content: row(ofCells.content, content),
   };
   /** The rows of each format. @type {{[format in Format]: (keyof typeof rows)[]}} */
-  const shown = { png: ["scale", "size", "theme", "background"], svg: ["theme", "background"], csv: ["table"], json: [] };
+  const shown = { png: ["scale", "size", "theme", "background"], svg: ["theme", "background"], csv: ["table"], json: ["content"] };
 
   const note = h("p", { class: "export-note" });
   const message = h("p", { class: "export-message", "data-message": "", hidden: true });
@@ -136,7 +152,7 @@ export function showExport(app) {
     still.hidden = false;
     last.section = null;
     Object.assign(wanted, patch);
-    Object.assign(last, { format: wanted.format, table: wanted.table, transparent: wanted.transparent });
+    Object.assign(last, { format: wanted.format, table: wanted.table, content: wanted.content, transparent: wanted.transparent });
     tell(null);
     render();
   }
@@ -153,10 +169,11 @@ export function showExport(app) {
     theme.set(wanted.theme);
     transparent.set(wanted.transparent);
     table.set(wanted.table);
+    content.set(wanted.content);
     for (const [name, element] of Object.entries(rows)) {
       element.hidden = !shown[wanted.format].some((each) => each === name);
     }
-    write(note, wanted.format === "csv" ? words.notes[wanted.table] : words.notes[wanted.format]);
+    write(note, noteOf(wanted));
   }
 
   /** @param {string | null} text @param {boolean} [failed] */
@@ -205,4 +222,10 @@ export function showExport(app) {
   }
   // Enter once more downloads; on a phone the choices above would leave the screen.
   if (panel && !matchMedia("(width < 600px)").matches) save.focus();
+}
+
+/** @param {Wanted} wanted */
+function noteOf({ format, table, content }) {
+  if (format === "csv") return table === "cells" ? ofCells.notes.csv : words.notes[table];
+  return format === "json" && content === "cells" ? ofCells.notes.json : words.notes[format];
 }
