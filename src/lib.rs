@@ -102,6 +102,8 @@ pub mod material;
 pub mod curve;
 #[cfg(feature = "curves")]
 pub mod document;
+#[cfg(feature = "hyperpatch")]
+pub mod hyperpatch;
 #[cfg(feature = "import")]
 pub mod import;
 #[cfg(feature = "curves")]
