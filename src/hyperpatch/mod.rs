@@ -10,6 +10,7 @@
 mod bernstein;
 mod cell;
 mod grid;
+mod jacobian;
 mod net;
 mod parts;
 #[cfg(test)]
@@ -18,5 +19,6 @@ mod test_cells;
 pub use bernstein::{binomial, cubic, cubic_slope, elevate, flat, split};
 pub use cell::{Cell, CellError, LARGEST_COORDINATE, MOST_MATERIALS};
 pub use grid::{Grid, GridError, LARGEST_GRID};
+pub use jacobian::Jacobian;
 pub use net::{Differences, Net};
 pub use parts::{Axis, Corner, Edge, Face};
