@@ -10,11 +10,13 @@
 mod bernstein;
 mod cell;
 mod grid;
+mod inversion;
 mod jacobian;
 mod net;
 mod parts;
 #[cfg(test)]
 mod test_cells;
+pub mod validity;
 
 pub use bernstein::{binomial, cubic, cubic_slope, elevate, flat, split};
 pub use cell::{Cell, CellError, LARGEST_COORDINATE, MOST_MATERIALS};

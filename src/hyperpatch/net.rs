@@ -180,6 +180,12 @@ impl Differences {
         }
         Self(all)
     }
+
+    /// The differences of the same volume with its first axis reversed, but for their order.
+    pub(super) fn reoriented(mut self) -> Self {
+        self.0[0] = self.0[0].map(|d| -d);
+        self
+    }
 }
 
 /// Restricts one line of `N` differences, `step` apart from `start` on.

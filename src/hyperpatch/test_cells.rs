@@ -71,11 +71,20 @@ pub(super) fn folded(shift: f64) -> Net {
     net
 }
 
-/// A thin bar along u that runs round a loop and through itself, in the plane z = 0.
+/// A thin bar along u that runs round a loop in the plane z = 0 and through itself.
 pub(super) fn crossing_bar() -> Net {
-    let path = [DVec2::new(0.0, 0.0), DVec2::new(12.0, 8.0), DVec2::new(-6.0, 8.0), DVec2::new(6.0, 0.0)];
+    bar([DVec2::ZERO, DVec2::new(12.0, 8.0), DVec2::new(-6.0, 8.0), DVec2::new(6.0, 0.0)], 0.55)
+}
+
+/// A thin bar along u that runs round a loop to where it began, so that its two ends are one face.
+pub(super) fn closed_bar() -> Net {
+    bar([DVec2::ZERO, DVec2::new(12.0, 8.0), DVec2::new(-12.0, 8.0), DVec2::ZERO], 0.0)
+}
+
+/// A bar along a path that turns left all the way round; its ends lean outwards.
+fn bar(path: [DVec2; 4], lean: f64) -> Net {
     let sides =
-        [DVec2::new(-0.55, 0.83), DVec2::new(-1.0, -0.9), DVec2::new(1.0, -0.9), DVec2::new(0.55, 0.83)];
+        [DVec2::new(-lean, 0.83), DVec2::new(-1.0, -0.9), DVec2::new(1.0, -0.9), DVec2::new(lean, 0.83)];
     let mut points = [DVec3::ZERO; 64];
     for i in 0..4 {
         for j in 0..4 {
