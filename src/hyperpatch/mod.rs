@@ -9,6 +9,7 @@
 
 mod bernstein;
 mod cell;
+pub mod composite;
 mod grid;
 mod inversion;
 mod jacobian;

@@ -129,7 +129,7 @@ impl Part {
         let axis = axis.unwrap_or(Axis::U);
         let stride = stride(axis);
         let (mut before, mut after) = (self.coefficients.clone(), self.coefficients.clone());
-        for start in (0..COUNT).filter(|at| at / stride % SIZE == 0) {
+        for start in (0..COUNT).filter(|at| (at / stride).is_multiple_of(SIZE)) {
             let mut first: [f64; SIZE] = std::array::from_fn(|n| self.coefficients[start + n * stride]);
             let mut second = first;
             split(&mut first, &mut second, 0.5);

@@ -56,8 +56,7 @@ pub fn is_axis_aligned(differences: &Differences) -> bool {
 fn least(differences: &Differences, enough: f64) -> f64 {
     let units = differences.0.map(|list| grouped(list.map(DVec3::normalize_or_zero)));
     let [u, v, w] = units.each_ref().map(|list| list.as_chunks::<GROUP>().0);
-    let [balls_u, balls_v, balls_w] =
-        [u, v, w].map(|groups| groups.iter().map(|g| ball(g)).collect::<Vec<_>>());
+    let [balls_u, balls_v, balls_w] = [u, v, w].map(|groups| groups.iter().map(ball).collect::<Vec<_>>());
     let mut bounds = Vec::with_capacity(GROUPS * GROUPS * GROUPS);
     for (a, radius_a) in &balls_u {
         for (b, radius_b) in &balls_v {

@@ -16,6 +16,7 @@ mod separation;
 
 pub use certificate::{Certificate, Sign};
 pub use cone::{REGULAR_MARGIN, is_axis_aligned, is_regular, margin};
+pub(super) use injectivity::Piece;
 pub use injectivity::{Finding, Injectivity};
 pub use report::{Report, Verdict, Witness, certify, verdict};
-pub(super) use separation::are_separated;
+pub(super) use separation::{are_separated, positive_direction};

@@ -18,7 +18,6 @@ const GAP: f64 = 1e-13;
 /// # References
 /// E. Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a convex set", *SIAM Journal on Control*
 /// 4 (1966).
-#[cfg(test)]
 pub(in crate::hyperpatch) fn positive_direction(vectors: &[DVec3]) -> Option<DVec3> {
     let units: Vec<DVec3> = vectors.iter().map(|v| v.normalize_or_zero()).collect();
     let mut nearest = units.iter().sum::<DVec3>() / units.len() as f64;
