@@ -15,6 +15,9 @@ const ARRIVED: f64 = 1e-11;
 /// Most halvings of a part of a cell.
 const MOST_HALVINGS: usize = 60;
 
+/// Most parts that are looked at; only in cells that are nearly flat there are more.
+const MOST_PARTS: usize = 4000;
+
 /// Parameters of the volume at `target`, from a start nearby, by Newton's iteration; `None` when it leaves the cell or does not
 /// arrive. Parameters outside [0, 1] by no more than [`SLACK`] are moved onto the boundary.
 pub(super) fn newton(net: &Net, target: DVec3, start: DVec3) -> Option<DVec3> {
@@ -55,14 +58,15 @@ impl Net {
     ///
     /// Parts whose control points all lie on one side of the point, in the axes of space or in those of the part, are left out; in
     /// the others Newton's iteration is tried, and they are halved. Points within 1e-9 of the boundary, in parameters,
-    /// count as inside. In a volume that meets itself, one of the places is found.
+    /// count as inside. In a volume that meets itself, one of the places is found; in one that is nearly flat, points may be missed.
     #[must_use]
     pub fn invert(&self, target: DVec3) -> Option<DVec3> {
         let whole = Part { net: self.map(|p| p - target), lo: DVec3::ZERO, size: DVec3::ONE, halvings: 0 };
         let (lo, hi) = self.bounds();
         let slack = (hi - lo).max_element() * SLACK;
         let mut stack = vec![whole];
-        while let Some(part) = stack.pop() {
+        for _ in 0..MOST_PARTS {
+            let part = stack.pop()?;
             if part.is_off(slack) {
                 continue;
             }
@@ -167,5 +171,7 @@ mod tests {
         assert_eq!(flat.invert(DVec3::new(0.5, 0.5, 0.1)), None);
         let point = flat.map(|_| DVec3::ONE);
         assert_eq!(point.invert(DVec3::ZERO), None);
+        assert_eq!(point.invert(DVec3::ONE), None);
+        assert_eq!(flat.invert(DVec3::new(0.3, 0.4, 0.0)), None);
     }
 }

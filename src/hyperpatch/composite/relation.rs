@@ -79,11 +79,15 @@ impl Relation {
 /// The job that finds the relation of every two cells of a body whose boxes meet.
 #[derive(Debug)]
 pub struct Pairs {
-    cells: Vec<(CellId, Net, Differences)>,
+    cells: Vec<(CellId, Net)>,
     sharing: Sharing,
-    /// Pairs of indices that are still to be looked at, and how many there were.
-    left: Vec<(usize, usize)>,
-    count: usize,
+    /// Number of cells whose shared parts are known.
+    joined: usize,
+    tree: Tree,
+    /// Number of cells whose partners are known.
+    begun: usize,
+    /// Partners of the last of these that are still to be looked at.
+    partners: Vec<usize>,
     work: Option<(usize, usize, Work)>,
     found: Vec<([CellId; 2], Relation)>,
 }
@@ -92,26 +96,20 @@ impl Pairs {
     /// The job for a body as it is now.
     #[must_use]
     pub fn new(body: &Body) -> Self {
-        let cells = body.cells().iter().map(|(id, cell)| (*id, cell.net().clone(), cell.net().differences()));
-        let cells: Vec<_> = cells.collect();
-        let sharing = Sharing::new(body);
+        let sharing = Sharing::start(body);
         let slack = sharing.tolerance();
-        let boxes = cells.iter().map(|(_, net, _)| net.bounds()).map(|(lo, hi)| (lo - slack, hi + slack));
+        let cells: Vec<_> = body.cells().iter().map(|(id, cell)| (*id, cell.net().clone())).collect();
+        let boxes = cells.iter().map(|(_, net)| net.bounds()).map(|(lo, hi)| (lo - slack, hi + slack));
         let tree = Tree::new(boxes.collect());
-        let mut left = Vec::new();
-        for a in 0..cells.len() {
-            let (lo, hi) = tree.bounds(a);
-            left.extend(tree.meeting(lo, hi).into_iter().filter(|&b| a < b).map(|b| (a, b)));
-        }
-        left.reverse();
-        let count = left.len();
-        Self { cells, sharing, left, count, work: None, found: Vec::new() }
+        let (partners, found) = (Vec::new(), Vec::new());
+        Self { cells, sharing, joined: 0, tree, begun: 0, partners, work: None, found }
     }
 
-    /// Share of the pairs that are done, from 0 to 1.
+    /// Share of the work that is done, from 0 to 1.
     #[must_use]
     pub fn progress(&self) -> f64 {
-        if self.count == 0 { 1.0 } else { 1.0 - self.left.len() as f64 / self.count as f64 }
+        let count = 2 * self.cells.len();
+        if self.is_done() { 1.0 } else { (self.joined + self.begun) as f64 / (count + 1) as f64 }
     }
 
     /// What has been found so far, by identifiers: every pair that is not disjoint.
@@ -123,15 +121,17 @@ impl Pairs {
     /// Advances while `may_go_on` says so, at least by a little; tells whether all pairs are done.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> bool {
         loop {
-            let Some((a, b, mut work)) = self.work.take().or_else(|| self.next()) else { return true };
-            let sides = [a, b].map(|n| (&self.cells[n].1, &self.cells[n].2));
-            match work.advance(sides) {
-                Some(Relation::Disjoint) => {}
-                Some(relation) => self.found.push(([self.cells[a].0, self.cells[b].0], relation)),
-                None => self.work = Some((a, b, work)),
+            if let Some((id, net)) = self.cells.get(self.joined) {
+                self.sharing.add(*id, net);
+                self.joined += 1;
+            } else {
+                self.look();
+            }
+            if self.is_done() {
+                return true;
             }
             if !may_go_on() {
-                return self.work.is_none() && self.left.is_empty();
+                return false;
             }
         }
     }
@@ -143,8 +143,30 @@ impl Pairs {
         self.found
     }
 
+    fn is_done(&self) -> bool {
+        let count = self.cells.len();
+        self.joined == count && self.begun == count && self.partners.is_empty() && self.work.is_none()
+    }
+
+    /// Advances the pair at work, or takes up the next one.
+    fn look(&mut self) {
+        let Some((a, b, mut work)) = self.work.take().or_else(|| self.next()) else { return };
+        match work.advance([&self.cells[a].1, &self.cells[b].1]) {
+            Some(Relation::Disjoint) => {}
+            Some(relation) => self.found.push(([self.cells[a].0, self.cells[b].0], relation)),
+            None => self.work = Some((a, b, work)),
+        }
+    }
+
+    /// The next pair, or `None` when the next cell has no partners of higher index.
     fn next(&mut self) -> Option<(usize, usize, Work)> {
-        let (a, b) = self.left.pop()?;
+        if self.partners.is_empty() && self.begun < self.cells.len() {
+            let (lo, hi) = self.tree.bounds(self.begun);
+            let met = self.tree.meeting(lo, hi);
+            self.partners = met.into_iter().rev().filter(|&other| other > self.begun).collect();
+            self.begun += 1;
+        }
+        let (a, b) = (self.begun.checked_sub(1)?, self.partners.pop()?);
         let numbers = [a, b].map(|n| self.sharing.points(self.cells[n].0));
         let features =
             if let [Some(first), Some(second)] = numbers { features(first, second) } else { Vec::new() };
@@ -173,6 +195,7 @@ pub fn relate(body: &Body, first: CellId, second: CellId) -> Option<Relation> {
 #[derive(Debug)]
 struct Work {
     features: Vec<Feature>,
+    differences: [Differences; 2],
     pairs: Vec<[Piece; 2]>,
     looks: usize,
     /// Distance below which points are one.
@@ -184,9 +207,6 @@ struct Work {
     has_begun: bool,
 }
 
-/// Shape of a cell with the differences of its control points.
-type Side<'a> = (&'a Net, &'a Differences);
-
 impl Work {
     fn new(nets: [&Net; 2], features: Vec<Feature>) -> Self {
         let pieces = nets.map(|net| Face::all().map(|face| Piece::new(net, face)));
@@ -194,11 +214,21 @@ impl Work {
         let size = nets.map(Net::bounds).map(|(lo, hi)| lo.distance(hi)).into_iter().fold(0.0, f64::max);
         let largest = nets.iter().flat_map(|net| net.0).map(|p| p.abs().max_element()).fold(0.0, f64::max);
         let tolerance = 4.0 * WELD * size + 1e-13 * largest;
-        Self { features, pairs, looks: 0, tolerance, least: TOUCHING * size, touch: None, has_begun: false }
+        let differences = nets.map(Net::differences);
+        Self {
+            features,
+            differences,
+            pairs,
+            looks: 0,
+            tolerance,
+            least: TOUCHING * size,
+            touch: None,
+            has_begun: false,
+        }
     }
 
     /// Looks at the cells as wholes, and later at some pairs of pieces.
-    fn advance(&mut self, sides: [Side; 2]) -> Option<Relation> {
+    fn advance(&mut self, sides: [&Net; 2]) -> Option<Relation> {
         if !self.has_begun {
             self.has_begun = true;
             return self.look_at_wholes(sides);
@@ -231,19 +261,19 @@ impl Work {
         }
     }
 
-    fn look_at_wholes(&mut self, sides: [Side; 2]) -> Option<Relation> {
+    fn look_at_wholes(&mut self, sides: [&Net; 2]) -> Option<Relation> {
         let [first, second] = sides;
-        if self.features.is_empty() && are_separated(&first.0.0, &second.0.0) {
+        if self.features.is_empty() && are_separated(&first.0, &second.0) {
             return Some(Relation::Disjoint);
         }
         let whole = (DVec3::ZERO, DVec3::ONE);
         if let [feature] = &self.features[..]
-            && feature.is_all([first.1, second.1], [whole, whole])
+            && feature.is_all(self.differences.each_ref(), [whole, whole])
         {
             return Some(self.apart());
         }
         // A point well inside one cell that is well inside the other: it finds what boundaries do not show, one cell in another.
-        for (n, (from, to)) in [(first.0, second.0), (second.0, first.0)].into_iter().enumerate() {
+        for (n, (from, to)) in [(first, second), (second, first)].into_iter().enumerate() {
             let (lo, hi) = to.bounds();
             for place in 0..9 {
                 let corner = [4, 2, 1].map(|bit| if place & bit == 0 { 0.25 } else { 0.75 });
@@ -262,8 +292,8 @@ impl Work {
     }
 
     /// Is done with a pair of pieces, or halves it, or finds a point inside both cells.
-    fn look(&mut self, [first, second]: [Side; 2], a: Piece, b: Piece) -> Option<Relation> {
-        let differences = [first.1, second.1];
+    fn look(&mut self, [first, second]: [&Net; 2], a: Piece, b: Piece) -> Option<Relation> {
+        let differences = self.differences.each_ref();
         let ranges = [a.range(), b.range()];
         if are_separated(&a.points, &b.points)
             || self.features.iter().any(|feature| feature.is_all(differences, ranges))
@@ -274,8 +304,8 @@ impl Work {
             for (n, (piece, from, other, to)) in
                 [(a, first, b, second), (b, second, a, first)].into_iter().enumerate()
             {
-                let (at, point) = (piece.middle(), from.0.point(piece.middle()));
-                if let Some(found) = newton(to.0, point, other.middle()).filter(|found| is_deep(*found)) {
+                let (at, point) = (piece.middle(), from.point(piece.middle()));
+                if let Some(found) = newton(to, point, other.middle()).filter(|found| is_deep(*found)) {
                     return Some(Relation::Overlaps {
                         point,
                         at: if n == 0 { [at, found] } else { [found, at] },
@@ -285,7 +315,7 @@ impl Work {
         }
         // Beside what is shared, pieces get the chance to be proven to meet there alone.
         let is_ready = self.features.is_empty() || a.size().max(b.size()) <= FINE;
-        let is_flush = || are_flush([(first.0, &a), (second.0, &b)], self.tolerance);
+        let is_flush = || are_flush([(first, &a), (second, &b)], self.tolerance);
         if is_ready && is_flush() || a.extent().max(b.extent()) < self.least {
             self.touch.get_or_insert(a.middle());
         } else if a.extent() >= b.extent() {

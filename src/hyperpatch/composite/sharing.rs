@@ -2,7 +2,7 @@
 
 use super::weld::Weld;
 use super::{Body, CellId};
-use crate::hyperpatch::{Corner, Edge, Face};
+use crate::hyperpatch::{Corner, Edge, Face, Net};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -52,9 +52,10 @@ impl Matching {
 }
 
 /// What the cells of a body share. The numbers of control points are those of [`Sharing::points`].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Sharing {
     tolerance: f64,
+    weld: Weld,
     /// Numbers of the 64 control points of each cell, in the order of the body; inner ones have none.
     numbers: Vec<(CellId, [u32; 64])>,
     corners: HashMap<u32, Vec<(CellId, Corner)>>,
@@ -69,34 +70,44 @@ impl Sharing {
     /// Finds what is shared within 1e-9 of the size of the body.
     #[must_use]
     pub fn new(body: &Body) -> Self {
+        let mut sharing = Self::start(body);
+        body.cells().iter().for_each(|(id, cell)| sharing.add(*id, cell.net()));
+        sharing
+    }
+
+    /// The state before the first cell of a body is [added](Sharing::add), for work in steps.
+    #[must_use]
+    pub fn start(body: &Body) -> Self {
         let tolerance = WELD * size(body);
         let origin = body.cells().first().map_or(DVec3::ZERO, |(_, cell)| cell.net().0[0]);
-        let mut weld = Weld::new(tolerance, origin);
-        let mut found = Self {
+        Self {
             tolerance,
+            weld: Weld::new(tolerance, origin),
             numbers: Vec::with_capacity(body.cells().len()),
             corners: HashMap::new(),
             edges: HashMap::new(),
             faces: HashMap::new(),
-        };
-        for (id, cell) in body.cells() {
-            let is_inner = |at: usize| [at / 16, at / 4 % 4, at % 4].iter().all(|&n| n == 1 || n == 2);
-            let numbers: [u32; 64] =
-                std::array::from_fn(|at| if is_inner(at) { INNER } else { weld.number(cell.net().0[at]) });
-            for corner in Corner::all() {
-                found.corners.entry(numbers[corner.coefficient()]).or_default().push((*id, corner));
-            }
-            for edge in Edge::all() {
-                let key = edge_key(edge.coefficients().map(|at| numbers[at]));
-                found.edges.entry(key).or_default().push((*id, edge));
-            }
-            for face in Face::all() {
-                let key = face_key(face.coefficients().map(|at| numbers[at]));
-                found.faces.entry(key).or_default().push((*id, face));
-            }
-            found.numbers.push((*id, numbers));
         }
-        found
+    }
+
+    /// Adds the next cell of the body. They must come in the order of the body.
+    pub fn add(&mut self, id: CellId, net: &Net) {
+        let is_inner = |at: usize| [at / 16, at / 4 % 4, at % 4].iter().all(|&n| n == 1 || n == 2);
+        let weld = &mut self.weld;
+        let numbers: [u32; 64] =
+            std::array::from_fn(|at| if is_inner(at) { INNER } else { weld.number(net.0[at]) });
+        for corner in Corner::all() {
+            self.corners.entry(numbers[corner.coefficient()]).or_default().push((id, corner));
+        }
+        for edge in Edge::all() {
+            let key = edge_key(edge.coefficients().map(|at| numbers[at]));
+            self.edges.entry(key).or_default().push((id, edge));
+        }
+        for face in Face::all() {
+            let key = face_key(face.coefficients().map(|at| numbers[at]));
+            self.faces.entry(key).or_default().push((id, face));
+        }
+        self.numbers.push((id, numbers));
     }
 
     /// Distance within which control points are one.
