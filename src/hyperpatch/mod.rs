@@ -15,6 +15,7 @@ mod inversion;
 mod jacobian;
 mod net;
 mod parts;
+mod section;
 #[cfg(test)]
 mod test_cells;
 pub mod validity;
@@ -25,3 +26,4 @@ pub use grid::{Grid, GridError, LARGEST_GRID};
 pub use jacobian::Jacobian;
 pub use net::{Differences, Net};
 pub use parts::{Axis, Corner, Edge, Face};
+pub use section::{Cut, FINEST_SECTION, Plane, Section, SectionError, Sectioning, section};
