@@ -16,6 +16,7 @@ mod jacobian;
 mod net;
 mod parts;
 mod section;
+mod tessellation;
 #[cfg(test)]
 mod test_cells;
 pub mod validity;
@@ -27,3 +28,4 @@ pub use jacobian::Jacobian;
 pub use net::{Differences, Net};
 pub use parts::{Axis, Corner, Edge, Face};
 pub use section::{Cut, FINEST_SECTION, Plane, Section, SectionError, Sectioning, section};
+pub use tessellation::{MOST_SEGMENTS, Patch, Surface, Tessellation, ToleranceError};
