@@ -12,7 +12,7 @@ use std::fmt;
 pub const LARGEST_COORDINATE: f64 = 1e9;
 
 /// Largest number of materials that a cell may mix.
-pub const MOST_MATERIALS: usize = 32;
+pub const MOST_MATERIALS: usize = 16;
 
 /// A tricubic Bezier hyperpatch: the shape and, independent of it, the fraction of each material, both as 64 coefficients.
 ///

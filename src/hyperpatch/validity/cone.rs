@@ -56,15 +56,9 @@ pub fn is_axis_aligned(differences: &Differences) -> bool {
 fn least(differences: &Differences, enough: f64) -> f64 {
     let units = differences.0.map(|list| grouped(list.map(DVec3::normalize_or_zero)));
     let [u, v, w] = units.each_ref().map(|list| list.as_chunks::<GROUP>().0);
-    let [balls_u, balls_v, balls_w] = [u, v, w].map(|groups| groups.iter().map(ball).collect::<Vec<_>>());
-    let mut bounds = Vec::with_capacity(GROUPS * GROUPS * GROUPS);
-    for (a, radius_a) in &balls_u {
-        for (b, radius_b) in &balls_v {
-            // No vector is longer than 1, so errors of factors add up.
-            let (normal, radius) = (a.cross(*b), radius_a + radius_b);
-            bounds.extend(balls_w.iter().map(|(c, radius_c)| normal.dot(*c) - radius - radius_c));
-        }
-    }
+    let [groups_u, groups_v, groups_w] =
+        [u, v, w].map(|list| list.iter().map(Group::new).collect::<Vec<_>>());
+    let bounds = bounds(&groups_u, &groups_v, &groups_w);
     let first = (0..bounds.len()).min_by(|&a, &b| bounds[a].total_cmp(&bounds[b]));
     let mut best = 1.0_f64;
     for triple in first.into_iter().chain(0..bounds.len()) {
@@ -75,7 +69,7 @@ fn least(differences: &Differences, enough: f64) -> f64 {
             continue;
         }
         let group = triple % GROUPS;
-        let (centre, radius) = balls_w[group];
+        let Group { centre, radius, .. } = groups_w[group];
         for a in &u[triple / (GROUPS * GROUPS)] {
             for b in &v[triple / GROUPS % GROUPS] {
                 let normal = a.cross(*b);
@@ -86,6 +80,61 @@ fn least(differences: &Differences, enough: f64) -> f64 {
         }
     }
     best
+}
+
+/// Vectors, none longer than 1, by their mean and how far they are from it.
+struct Group {
+    centre: DVec3,
+    /// Direction of the mean.
+    direction: DVec3,
+    /// Largest distance from the mean, and its largest parts along the direction and across.
+    radius: f64,
+    along: f64,
+    across: f64,
+}
+
+impl Group {
+    fn new(vectors: &[DVec3; GROUP]) -> Self {
+        let centre = vectors.iter().sum::<DVec3>() / GROUP as f64;
+        let direction = centre.normalize_or_zero();
+        let mut squares = DVec3::ZERO;
+        for vector in vectors {
+            let offset = *vector - centre;
+            let along = offset.dot(direction);
+            let length = offset.length_squared();
+            squares = squares.max(DVec3::new(length, along * along, length - along * along));
+        }
+        let [radius, along, across] = squares.to_array().map(f64::sqrt);
+        Self { centre, direction, radius, along, across }
+    }
+}
+
+/// Lower bounds of the determinants of each three groups, the third one fastest.
+///
+/// The determinant of three means changes by the product of each offset with the cross product of the other two means, of which the
+/// part across the mean is small in cells that are nearly boxes, and by no more than the products of two radii.
+fn bounds(groups_u: &[Group], groups_v: &[Group], groups_w: &[Group]) -> Vec<f64> {
+    let crosses = |first: &[Group], second: &[Group]| -> Vec<DVec3> {
+        first.iter().flat_map(|a| second.iter().map(move |b| a.centre.cross(b.centre))).collect()
+    };
+    let (uv, vw, wu) =
+        (crosses(groups_u, groups_v), crosses(groups_v, groups_w), crosses(groups_w, groups_u));
+    let change = |group: &Group, normal: DVec3| {
+        let along = normal.dot(group.direction);
+        group.along * along.abs() + group.across * (normal.length_squared() - along * along).max(0.0).sqrt()
+    };
+    let mut bounds = Vec::with_capacity(GROUPS * GROUPS * GROUPS);
+    for (i, a) in groups_u.iter().enumerate() {
+        for (j, b) in groups_v.iter().enumerate() {
+            let normal = uv[i * GROUPS + j];
+            for (k, c) in groups_w.iter().enumerate() {
+                let first = change(a, vw[j * GROUPS + k]) + change(b, wu[k * GROUPS + i]) + change(c, normal);
+                let (ab, rest) = (a.radius * b.radius, (a.radius + b.radius) * c.radius);
+                bounds.push(normal.dot(c.centre) - first - ab - rest - ab * c.radius);
+            }
+        }
+    }
+    bounds
 }
 
 /// Vectors in an order in which groups of [`GROUP`] have similar directions: halved three times across the axis of the widest
@@ -99,12 +148,6 @@ fn grouped(mut vectors: [DVec3; 48]) -> [DVec3; 48] {
         }
     }
     vectors
-}
-
-/// Mean of some vectors, and the distance of the farthest from it.
-fn ball(vectors: &[DVec3; GROUP]) -> (DVec3, f64) {
-    let centre = vectors.iter().sum::<DVec3>() / GROUP as f64;
-    (centre, vectors.iter().map(|v| v.distance_squared(centre)).fold(0.0, f64::max).sqrt())
 }
 
 #[cfg(test)]
