@@ -6,7 +6,7 @@ use super::composite::{Body, CellId};
 use glam::DVec3;
 use std::error::Error;
 use std::fmt;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
 /// Largest number of lattice steps along an axis of a cell.
 pub const FINEST_SECTION: usize = 64;
@@ -139,21 +139,23 @@ impl Section {
 /// The distance of a cell from the plane is a tricubic polynomial of one component. It is evaluated on a lattice of the parameters;
 /// every cube of the lattice is divided into six tetrahedra, whose edges are cut where the polynomial is zero. Pieces of the
 /// section that no edge of the lattice runs through are missed.
+///
+/// `B` is a reference to a body, or shared ownership of one.
 #[derive(Debug)]
-pub struct Sectioning<'a> {
-    body: &'a Body,
+pub struct Sectioning<B> {
+    body: B,
     plane: Plane,
     lattice: Lattice,
     next: usize,
     section: Section,
 }
 
-impl<'a> Sectioning<'a> {
+impl<B: Deref<Target = Body>> Sectioning<B> {
     /// The job with a number of lattice steps along each axis of a cell, 1 to [`FINEST_SECTION`].
     ///
     /// # Errors
     /// When the number of steps is out of range.
-    pub fn new(body: &'a Body, plane: Plane, steps: usize) -> Result<Self, SectionError> {
+    pub fn new(body: B, plane: Plane, steps: usize) -> Result<Self, SectionError> {
         if !(1..=FINEST_SECTION).contains(&steps) {
             return Err(SectionError::Steps { steps });
         }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::error::Error;
 use std::fmt;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
 /// Most segments along a side of a face; a power of two.
 pub const MOST_SEGMENTS: usize = 64;
@@ -65,10 +65,12 @@ type EdgeKey = [u32; 4];
 
 /// The job that triangulates faces: first how fine each must be, then, with every edge as fine as the finest face on it, the
 /// triangles.
+///
+/// `B` and `S` are references to a body and to what its cells share, or shared ownership of them.
 #[derive(Debug)]
-pub struct Tessellation<'a> {
-    body: &'a Body,
-    sharing: &'a Sharing,
+pub struct Tessellation<B, S> {
+    body: B,
+    sharing: S,
     faces: Vec<(CellId, Face)>,
     tolerance: f64,
     measured: usize,
@@ -84,15 +86,15 @@ pub struct Tessellation<'a> {
     surface: Surface,
 }
 
-impl<'a> Tessellation<'a> {
+impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
     /// The job for some faces, such as [`Sharing::outer_faces`]. The chord tolerance is a length. Faces of cells that the body
     /// does not have are left out.
     ///
     /// # Errors
     /// When the tolerance is no positive number.
     pub fn new(
-        body: &'a Body,
-        sharing: &'a Sharing,
+        body: B,
+        sharing: S,
         faces: Vec<(CellId, Face)>,
         tolerance: f64,
     ) -> Result<Self, ToleranceError> {
@@ -122,10 +124,11 @@ impl<'a> Tessellation<'a> {
             let index = if self.measured < self.faces.len() { self.measured } else { self.meshed };
             let (id, face) = self.faces[index];
             if let (Some(cell), Some(numbers)) = (self.body.cell(id), self.sharing.points(id)) {
+                let (net, numbers) = (cell.net().clone(), *numbers);
                 if index == self.measured {
-                    self.measure(cell.net(), numbers, face);
+                    self.measure(&net, &numbers, face);
                 } else {
-                    self.mesh(id, cell.net(), numbers, face);
+                    self.mesh(id, &net, &numbers, face);
                 }
             }
             if self.measured < self.faces.len() {
@@ -303,8 +306,8 @@ fn normal(net: &Net, face: Face, at: DVec3, is_outward: bool) -> DVec3 {
         derivatives[first as usize].cross(derivatives[second as usize]).normalize_or_zero()
     };
     let middle = face.parameters(0.5, 0.5);
-    let [here, inside] = [at, at.lerp(middle, 1e-3)].map(cross);
-    let normal = if here == DVec3::ZERO { inside } else { here };
+    let here = cross(at);
+    let normal = if here == DVec3::ZERO { cross(at.lerp(middle, 1e-3)) } else { here };
     if is_outward { normal } else { -normal }
 }
 

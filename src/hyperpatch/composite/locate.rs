@@ -2,9 +2,13 @@
 
 use super::tree::Tree;
 use super::{Body, CellId};
-use crate::hyperpatch::inversion::SLACK;
+use crate::hyperpatch::inversion::{SLACK, newton};
 use crate::material::Composition;
 use glam::DVec3;
+use std::ops::Deref;
+
+/// How far inside a cell, in parameters, a point lies in no other one.
+const INSIDE: f64 = 1e-6;
 
 /// A place in a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,25 +19,23 @@ pub struct Place {
     pub at: DVec3,
 }
 
-/// A body prepared for questions about points.
+/// A body prepared for questions about points. `B` is a reference to a body, or shared ownership of one.
 #[derive(Debug, Clone)]
-pub struct Probe<'a> {
-    body: &'a Body,
+pub struct Probe<B> {
+    body: B,
     tree: Tree,
 }
 
-impl<'a> Probe<'a> {
+impl<B: Deref<Target = Body>> Probe<B> {
     /// Prepares a body.
     #[must_use]
-    pub fn new(body: &'a Body) -> Self {
+    pub fn new(body: B) -> Self {
         let bounds = |(lo, hi): (DVec3, DVec3)| {
             let slack = (hi - lo).max_element() * SLACK;
             (lo - slack, hi + slack)
         };
-        Self {
-            body,
-            tree: Tree::new(body.cells().iter().map(|(_, cell)| bounds(cell.net().bounds())).collect()),
-        }
+        let tree = Tree::new(body.cells().iter().map(|(_, cell)| bounds(cell.net().bounds())).collect());
+        Self { body, tree }
     }
 
     /// Every cell that holds a point, by its identifier: one inside, several on what they share, none outside the body.
@@ -47,6 +49,18 @@ impl<'a> Probe<'a> {
     #[must_use]
     pub fn place(&self, point: DVec3) -> Option<Place> {
         self.search(point).next()
+    }
+
+    /// The same place, found sooner when a point nearby was found at `last`: where the cell of that one holds the point well inside, no
+    /// other cell is asked. In bodies whose cells overlap this may be another place than that of [`Probe::place`].
+    #[must_use]
+    pub fn place_from(&self, point: DVec3, last: Option<Place>) -> Option<Place> {
+        let near = last.and_then(|last| {
+            let at = newton(self.body.cell(last.cell)?.net(), point, last.at)?;
+            let is_inside = at.min_element() > INSIDE && at.max_element() < 1.0 - INSIDE;
+            is_inside.then_some(Place { at, ..last })
+        });
+        near.or_else(|| self.place(point))
     }
 
     /// The composition at a point, or `None` outside the body.
@@ -119,6 +133,24 @@ mod tests {
         assert_eq!(Probe::new(&body).place(shared).map(|place| place.cell), Some(CellId(2)));
         body.remove(CellId(2)).unwrap();
         assert_eq!(Probe::new(&body).place(shared).map(|place| place.cell), Some(CellId(3)));
+    }
+
+    #[test]
+    fn a_walk_finds_the_same_places() {
+        let body = ring();
+        let probe = Probe::new(&body);
+        let mut last = None;
+        for n in 0..4000 {
+            let angle = 0.01 * f64::from(n);
+            let point =
+                DVec3::new(angle.cos(), angle.sin(), 0.0) * (0.9 + 3e-4 * f64::from(n)) + DVec3::Z * 0.4;
+            let (found, expected) = (probe.place_from(point, last), probe.place(point));
+            assert_eq!(found.map(|place| place.cell), expected.map(|place| place.cell));
+            if let (Some(a), Some(b)) = (found, expected) {
+                assert!(a.at.distance(b.at) < 1e-9);
+            }
+            last = found.or(last);
+        }
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod relation;
 mod shared;
 mod sharing;
 mod tree;
+mod verdicts;
 mod weld;
 
 pub use body::{Body, BodyError, CellId, MOST_CELLS};
@@ -19,3 +20,4 @@ pub use continuity::{Contact, Continuity, CornerContinuity, FaceContinuity, Matc
 pub use locate::{Place, Probe};
 pub use relation::{Pairs, Relation, relate};
 pub use sharing::{Matching, SharedFace, Sharing};
+pub use verdicts::Verdicts;
