@@ -11,6 +11,8 @@ mod diagnostic;
 mod direction;
 mod error;
 mod fields;
+#[cfg(feature = "hyperpatch")]
+mod hyperpatch;
 mod insert_point;
 mod iso_options;
 mod json;
@@ -40,6 +42,11 @@ pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
+#[cfg(feature = "hyperpatch")]
+pub use hyperpatch::{
+    CellSpec, CoefficientSpec, HyperpatchDocument, HyperpatchKind, HyperpatchModel, OperationSpec,
+    read_hyperpatch,
+};
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;
