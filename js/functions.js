@@ -19,4 +19,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "amounts",
   "solid",
   "solidFile",
+  "hyperpatch",
 ]);

@@ -20,6 +20,8 @@ pub enum Code {
     NonFinite,
     /// A version of the format that this release does not read.
     Version,
+    /// A document of a kind that the function does not answer for.
+    Kind,
     /// A value of the format that this release does not compute yet.
     NotYet,
     /// A stated limit of size is passed.
@@ -40,7 +42,7 @@ pub enum Code {
 
 impl Code {
     /// Every code, in the order of `docs/api.md`.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Syntax,
         Self::Missing,
         Self::UnknownField,
@@ -48,6 +50,7 @@ impl Code {
         Self::Range,
         Self::NonFinite,
         Self::Version,
+        Self::Kind,
         Self::NotYet,
         Self::Limit,
         Self::Points,
@@ -69,6 +72,7 @@ impl Code {
             Self::Range => "range",
             Self::NonFinite => "non-finite",
             Self::Version => "version",
+            Self::Kind => "kind",
             Self::NotYet => "not-yet",
             Self::Limit => "limit",
             Self::Points => "points",

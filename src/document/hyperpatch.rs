@@ -76,9 +76,14 @@ pub fn read_hyperpatch(document: &Json) -> Result<HyperpatchDocument, DocumentEr
     let root = Node::root(document, "");
     check_version(&root)?;
     let kind = root.need("kind")?;
-    if kind.choice(&["curves", "part", "hyperpatch"])? != 2 {
-        let message = "a document of another kind was found; expected the kind `hyperpatch`".to_owned();
-        return Err(kind.error(Code::Range, message));
+    match kind.choice(&["curves", "part", "hyperpatch"])? {
+        0 => {
+            return Err(
+                kind.error(Code::Kind, "`curves` was found; expected the kind `hyperpatch`".to_owned())
+            );
+        }
+        1 => return Err(kind.not_yet("documents of the kind `part`")),
+        _ => {}
     }
     root.only(&["directrix", "kind", "title", "unit", "materials", "operations"])?;
     let text = |name: &str, most: usize, default: &str| match root.get(name)? {

@@ -21,10 +21,11 @@ pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
     let root = Node::root(document, "");
     check_version(&root)?;
     let kind = root.need("kind")?;
-    if kind.choice(&["curves", "part", "hyperpatch"])? != 0 {
-        return Err(kind.not_yet("documents of kinds other than `curves`"));
+    match kind.choice(&["curves", "part", "hyperpatch"])? {
+        0 => curves_document(&root),
+        1 => Err(kind.not_yet("documents of the kind `part`")),
+        _ => Err(kind.error(Code::Kind, "`hyperpatch` was found; expected the kind `curves`".to_owned())),
     }
-    curves_document(&root)
 }
 
 /// Refuses a document of another version of the format.
