@@ -16,4 +16,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "readShapes",
   "fitCurve",
   "morphPaths",
+  "amounts",
+  "solid",
+  "solidFile",
 ]);

@@ -87,7 +87,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A body of [`hyperpatch::Cell`]s has a shape and a material in its inside, both polynomials of the same parameters. What is certain
+//! A body of `hyperpatch::Cell`s has a shape and a material in its inside, both polynomials of the same parameters. What is certain
 //! about a cell is proven from its coefficients; its volume is their mean (with the feature `hyperpatch`):
 //!
 //! ```
@@ -139,6 +139,8 @@ pub mod matching;
 pub mod morph;
 #[cfg(feature = "curves")]
 pub mod picture;
+#[cfg(feature = "solid")]
+pub mod solid;
 
 #[cfg(all(feature = "curves", target_arch = "wasm32"))]
 mod wasm;

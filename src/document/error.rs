@@ -34,11 +34,13 @@ pub enum Code {
     SelfIntersection,
     /// Two curves of the same height that meet.
     Contact,
+    /// Curves that enclose no solid.
+    NoSolid,
 }
 
 impl Code {
     /// Every code, in the order of `docs/api.md`.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Syntax,
         Self::Missing,
         Self::UnknownField,
@@ -53,6 +55,7 @@ impl Code {
         Self::ZeroLength,
         Self::SelfIntersection,
         Self::Contact,
+        Self::NoSolid,
     ];
 
     /// The code as it crosses the boundary.
@@ -73,6 +76,7 @@ impl Code {
             Self::ZeroLength => "zero-length",
             Self::SelfIntersection => "self-intersection",
             Self::Contact => "contact",
+            Self::NoSolid => "no-solid",
         }
     }
 }

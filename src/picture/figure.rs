@@ -1,10 +1,10 @@
 //! The picture of a solved document.
 
-use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport};
 use crate::curve::BSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::matching::{Problem, RulingLine};
-use crate::material::{Oklab, mix_colors};
+use crate::material::{Oklab, mix_colors, viridis};
 use crate::morph::{Band, Ruling, unit_cells};
 use glam::DVec2;
 

@@ -5,6 +5,8 @@
  * @import { Group } from "./group.js"
  */
 import { attribute, h } from "../dom.js";
+import { later } from "../later.js";
+import { currentMatch } from "../state/app.js";
 import { isWhole } from "../state/selection.js";
 import { addMaterial, MATERIAL_LIMIT } from "../state/materials.js";
 import { strings } from "../strings.js";
@@ -20,6 +22,11 @@ export function materialsGroup(app) {
   const list = h("div", { class: "materials" });
   const strips = /** @type {const} */ ([0, 1]).map((curve) => compositionStrip(app, curve));
   const panel = h("div", {});
+  const place = h("div", {});
+  const amounts = later(app, () => currentMatch(app) !== null, async () => {
+    const { createAmounts } = await import("../cells/amounts.js");
+    return () => createAmounts(app, place);
+  });
   const toggle = h(
     "button",
     { type: "button", class: "command-word", title: strings.composition.toggleHelp, "data-action": "compose" },
@@ -90,12 +97,13 @@ export function materialsGroup(app) {
     toggle.disabled = document.curves.length === 0;
     for (const strip of strips) strip.render();
     renderKeyPanel();
+    amounts.render();
   }
 
   return {
     name: "materials",
     heading: words.heading,
-    body: h("div", {}, list, ...strips.map(({ element }) => element), panel),
+    body: h("div", {}, list, ...strips.map(({ element }) => element), panel, place),
     commands: [toggle, add],
     phrase: () => words.phrase(app.store.document.materials.map(({ name }) => name)),
     render,
