@@ -87,7 +87,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A body of [`hyperpatch::Cell`]s has a shape and a material in its inside, both polynomials of the same parameters. What is certain
+//! A body of `hyperpatch::Cell`s has a shape and a material in its inside, both polynomials of the same parameters. What is certain
 //! about a cell is proven from its coefficients; its volume is their mean (with the feature `hyperpatch`):
 //!
 //! ```

@@ -16,7 +16,7 @@ const ARRIVED: f64 = 1e-11;
 const MOST_HALVINGS: usize = 60;
 
 /// Most parts that are looked at; only in cells that are nearly flat there are more.
-const MOST_PARTS: usize = 4000;
+const MOST_PARTS: usize = 1000;
 
 /// Parameters of the volume at `target`, from a start nearby, by Newton's iteration; `None` when it leaves the cell or does not
 /// arrive. Parameters outside [0, 1] by no more than [`SLACK`] are moved onto the boundary.

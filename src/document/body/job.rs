@@ -2,16 +2,19 @@
 
 use super::known::Judged;
 use super::paint::Painter;
-use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Painted, Parts, Sample, Summary};
+use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Sharing, Verdicts};
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Grid, Jacobian, Sectioning, Tessellation, VtkJob};
-use crate::material::Color;
-use crate::solid::{FileJob, Group, Labels, Mesh, Part};
+use crate::material::{Color, mix_fractions};
+use crate::solid::{FileJob, Labels, Mesh, Skin};
 use std::rc::Rc;
 
 /// Chord tolerance over the size of the body where none is asked for.
 const TOLERANCE: f64 = 1e-3;
+
+/// Colours that are found between two looks at the clock.
+const BATCH: usize = 4096;
 
 /// The job that answers a question about a body in steps. What it finds out on the way is kept with the body.
 #[derive(Debug)]
@@ -33,6 +36,8 @@ enum Work {
     Cutting(Box<Sectioning<Held>>),
     Meshing(Box<Tessellation<Held, Rc<Sharing>>>),
     Painting(Box<Painter>, f64),
+    Skinning(Box<Skin<Held>>),
+    Coloring(Box<Mesh>, Vec<Color>),
     Writing(Box<FileJob>),
     Gridding(Box<VtkJob<Held>>),
     Done(Option<Answer>),
@@ -77,6 +82,7 @@ impl BodyJob {
             Work::Listing(rows) => rows.len() as f64 / cells,
             Work::Cutting(_) | Work::Meshing(_) => 0.3,
             Work::Painting(job, _) => 0.5 + 0.4 * job.progress(),
+            Work::Skinning(_) | Work::Coloring(..) => 0.4,
             Work::Writing(job) => 0.5 + 0.5 * job.progress(),
             Work::Gridding(job) => job.progress(),
             Work::Done(_) => 1.0,
@@ -151,6 +157,9 @@ impl BodyJob {
                 }
             },
             Work::Meshing(mut job) => match (job.step(may_go_on), self.known.sharing.get()) {
+                (Some(surface), _) if matches!(self.ask, BodyAsk::File { .. }) => {
+                    Work::Skinning(Box::new(Skin::new(self.known.held(), surface)))
+                }
                 (Some(surface), Some(sharing)) => {
                     let painter = Painter::of_surface(&self.known, surface, Rc::clone(sharing));
                     Work::Painting(Box::new(painter), 0.0)
@@ -160,14 +169,32 @@ impl BodyJob {
             Work::Painting(mut job, area) => match job.step(&self.known, may_go_on) {
                 None => Work::Painting(job, area),
                 Some((painted, boundary)) => match self.ask {
-                    BodyAsk::File { format: BodyFormat::Surface(format), .. } => {
-                        let (mesh, colors) = mesh(painted, body.materials());
-                        Work::Writing(Box::new(FileJob::new(format, mesh, colors, &self.labels())))
-                    }
                     BodyAsk::Section { .. } => Work::Done(Some(Answer::Section(Box::new(painted), area))),
                     _ => Work::Done(Some(Answer::Surface(Box::new(painted), boundary))),
                 },
             },
+            Work::Skinning(mut job) => match job.step(may_go_on) {
+                None => Work::Skinning(job),
+                Some(mesh) => Work::Coloring(Box::new(mesh), Vec::new()),
+            },
+            Work::Coloring(mesh, mut colors) => {
+                while colors.len() < mesh.positions.len() {
+                    let end = mesh.positions.len().min(colors.len() + BATCH);
+                    let color = |vertex: usize| {
+                        mix_fractions(self.known.colors(), mesh.fractions_at(vertex)).to_color()
+                    };
+                    colors.extend((colors.len()..end).map(color));
+                    if !may_go_on() {
+                        return Work::Coloring(mesh, colors);
+                    }
+                }
+                match self.ask {
+                    BodyAsk::File { format: BodyFormat::Surface(format), .. } => {
+                        Work::Writing(Box::new(FileJob::new(format, *mesh, colors, &self.labels())))
+                    }
+                    _ => Work::Done(None),
+                }
+            }
             Work::Writing(mut job) => match job.step(may_go_on) {
                 None => Work::Writing(job),
                 Some(bytes) => Work::Done(Some(Answer::File(bytes))),
@@ -286,19 +313,4 @@ impl BodyJob {
             materials: model.materials().iter().map(|material| material.name.clone()).collect(),
         }
     }
-}
-
-/// The surface as files have it, and a colour for each vertex.
-fn mesh(painted: Painted, materials: usize) -> (Mesh, Vec<Color>) {
-    let colors = painted.colors.chunks_exact(4).map(|c| Color::new(c[0], c[1], c[2])).collect();
-    let groups = vec![Group { part: Part::Surface, triangles: 0..painted.triangles.len() }];
-    let mesh = Mesh {
-        positions: painted.positions,
-        fractions: painted.fractions,
-        scalars: Vec::new(),
-        triangles: painted.triangles,
-        groups,
-        materials,
-    };
-    (mesh, colors)
 }
