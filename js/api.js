@@ -173,14 +173,15 @@ export function createApi(engine) {
     job(document, { paint, solid, solidFile, hyperpatch, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       if (hyperpatch) {
         const work = body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {});
-        return {
-          step(budget) {
-            const progress = work.step(budget);
-            return progress < 1 ? { progress, done: false } : { progress, done: true, ...work.end() };
-          },
+        /** @type {import("./directrix.js").Progress | undefined} */
+        let last;
+        const step = (/** @type {number} */ budget) => {
+          const progress = work.step(budget);
+          return progress < 1 ? { progress, done: false } : (last = { progress, done: true, ...work.end() });
         };
+        return { step: (budget) => last ?? step(budget) };
       }
-      const text = ask(() => (greedy ? greedyText(engine, document) : toText(document)));
+      const text = ask(() => (greedy ? greedyText(engine, /** @type {any} */ (document)) : toText(document)));
       /** @type {(() => Work) | undefined} */
       let next;
       if (paint) next = () => painted(text, paint);

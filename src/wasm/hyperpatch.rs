@@ -185,7 +185,7 @@ fn judged(known: &KnownBody, id: CellId, report: &Report) -> [f64; 17] {
         report.verdict as usize as f64,
         f64::from(u8::from(report.is_mirrored)),
         report.margin,
-        report.certificate.upper,
+        known.least_determinant(id, report),
         report.certificate.lower,
         kind,
         first.x,
