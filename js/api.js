@@ -100,7 +100,7 @@ export function createApi(engine) {
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
-    cells: (document) => ask(() => engine.cells(toText(document))),
+    cells: (document) => ask(() => whole(engine, "cells").cells(toText(document))),
     isolines: (document, options = {}) =>
       ask(() => {
         const { levels = TENTHS } = options;

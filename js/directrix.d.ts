@@ -629,6 +629,7 @@ export interface Solid {
 export interface Directrix {
   match(document: DocumentInput, options?: MatchOptions): Match;
   stages(document: DocumentInput, options?: { refine?: number }): Stage[];
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   cells(document: DocumentInput): UnitCell[];
   /** One entry for each level, in the order asked for; empty unless the matching is complete. */
   isolines(document: DocumentInput, options?: IsolineOptions): Isoline[];

@@ -1,8 +1,9 @@
-//! How much of each material is in the band.
+//! Unit cells, and how much of each material is in the band.
 
 use super::engine::Engine;
 use super::results::to_value;
-use crate::document::{BandAmounts, Solution, amounts};
+use crate::document::{BandAmounts, CurvesDocument, Solution, amounts};
+use crate::morph::{Band, UnitCell, unit_cells};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -35,8 +36,26 @@ struct CellsResult {
     folded: usize,
 }
 
+#[derive(Serialize)]
+struct CellResult {
+    line: usize,
+    stage: usize,
+    corners: [[f64; 2]; 4],
+    area: f64,
+    centroid: [f64; 2],
+    fractions: Vec<f64>,
+    folded: bool,
+}
+
 #[wasm_bindgen]
 impl Engine {
+    /// Unit cells.
+    pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        let document = solution.model.document();
+        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, document)))
+    }
+
     /// The area of the band and the amount of each material in it; null without a complete matching.
     pub fn amounts(&mut self, text: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
@@ -74,4 +93,19 @@ fn result(solution: &Solution, found: BandAmounts) -> AmountsResult<'_> {
         },
         rise: model.gap(),
     }
+}
+
+/// Unit cells of a band, each with the lower of the numbers of the stages beside it.
+fn cells(band: &Band, document: &CurvesDocument) -> Vec<CellResult> {
+    let segments = document.segments();
+    let convert = |cell: UnitCell| CellResult {
+        line: cell.line,
+        stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
+        corners: cell.corners.map(|corner| corner.to_array()),
+        area: cell.area,
+        centroid: cell.centroid.to_array(),
+        fractions: cell.composition.fractions().to_vec(),
+        folded: cell.is_folded,
+    };
+    unit_cells(band, segments).into_iter().map(convert).collect()
 }

@@ -4,7 +4,7 @@ use super::clock;
 use super::error::to_js;
 use super::json::parse;
 use super::painting::Painting;
-use super::results::{MatchResult, ViewResult, cells, isolines, probe, sets, stages, steps, to_value};
+use super::results::{MatchResult, ViewResult, isolines, probe, sets, stages, steps, to_value};
 use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Memory, Solution, Solve};
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure};
 use glam::DVec2;
@@ -56,13 +56,6 @@ impl Engine {
         let solution = self.solve(text)?;
         let document = solution.model.document();
         to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, document)))
-    }
-
-    /// Unit cells.
-    pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
-        let document = solution.model.document();
-        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, document)))
     }
 
     /// Lines of equal fraction of a material.

@@ -9,7 +9,7 @@ use crate::matching::{
     Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
     VertexSets, trace, vertex_sets,
 };
-use crate::morph::{Band, Place, UnitCell, unit_cells};
+use crate::morph::{Band, Place};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
@@ -138,17 +138,6 @@ pub(super) struct ViewResult {
 pub(super) struct StageResult {
     s: f64,
     points: Vec<[f64; 2]>,
-}
-
-#[derive(Serialize)]
-pub(super) struct CellResult {
-    line: usize,
-    stage: usize,
-    corners: [[f64; 2]; 4],
-    area: f64,
-    centroid: [f64; 2],
-    fractions: Vec<f64>,
-    folded: bool,
 }
 
 #[derive(Serialize)]
@@ -369,21 +358,6 @@ pub(super) fn stages(band: &Band, document: &CurvesDocument) -> Vec<StageResult>
             StageResult { s, points: arrays(&band.in_between(s)) }
         })
         .collect()
-}
-
-/// Unit cells of a band, each with the lower of the numbers of the stages beside it.
-pub(super) fn cells(band: &Band, document: &CurvesDocument) -> Vec<CellResult> {
-    let segments = document.segments();
-    let convert = |cell: UnitCell| CellResult {
-        line: cell.line,
-        stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
-        corners: cell.corners.map(|corner| corner.to_array()),
-        area: cell.area,
-        centroid: cell.centroid.to_array(),
-        fractions: cell.composition.fractions().to_vec(),
-        folded: cell.is_folded,
-    };
-    unit_cells(band, segments).into_iter().map(convert).collect()
 }
 
 /// Lines of equal fraction of a band as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of
