@@ -418,16 +418,25 @@ fn level_curves_in_space_are_plane_curves() {
     }
 }
 
-/// However curves lie in space, their solid is the same, as long as they are seen from the same side: a shift depends on it.
+/// However curves lie in space, the surface between them is the same, as long as they are seen from the same side: a shift depends on it. Caps of rims
+/// that are not plane are one choice of many.
 #[test]
-fn a_pose_changes_nothing_of_a_solid() {
+fn a_pose_changes_nothing_of_a_surface() {
     let at_rest = in_space([1.5, 2.0], [0.0, 30.0], DQuat::IDENTITY);
     let lines = |solution: &Solution| -> Vec<f64> {
         let (_, lines, _) = solution.lines().expect("lines");
         lines.iter().map(|line| line.value).collect()
     };
     let expected = lines(&solution_of(&at_rest));
-    let volume = solved(&at_rest, with(8, SolidColor::Flank)).volume.expect("watertight");
+    let surface = |solid: &Solid| {
+        let triangles = &solid.mesh.triangles[solid.mesh.groups[0].triangles.clone()];
+        triangles
+            .iter()
+            .map(|&t| solid.mesh.corners(t))
+            .map(|[a, b, c]| (b - a).cross(c - a).length())
+            .sum::<f64>()
+    };
+    let at_rest = solved(&at_rest, with(8, SolidColor::Flank));
     for (axis, angle) in [(DVec3::X, 0.7), (dvec3(1.0, -2.0, 0.5), 1.0), (DVec3::Y, PI / 2.0)] {
         let pose = DQuat::from_axis_angle(axis.normalize(), angle);
         let moved = in_space([1.5, 2.0], [0.0, 30.0], pose);
@@ -438,7 +447,9 @@ fn a_pose_changes_nothing_of_a_solid() {
         assert!(found.len() == expected.len() && solution.is_complete());
         assert!(found.iter().zip(&expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-6), "{angle}");
         let solid = solved(&moved, with(8, SolidColor::Flank));
-        assert!((read_again(&solid.mesh).expect("watertight") / volume - 1.0).abs() < 1e-6);
+        assert!((surface(&solid) / surface(&at_rest) - 1.0).abs() < 1e-9, "{angle}");
+        let volume = read_again(&solid.mesh).expect("watertight");
+        assert!((volume / at_rest.volume.expect("watertight") - 1.0).abs() < 0.05, "{volume}");
         for position in &solid.mesh.positions {
             let back = pose.inverse() * *position;
             assert!(back.truncate().length() > 8.0 && (-2.1..=32.1).contains(&back.z), "{back}");
