@@ -418,10 +418,9 @@ fn level_curves_in_space_are_plane_curves() {
     }
 }
 
-/// However curves lie in space, the surface between them is the same, as long as they are seen from the same side: a shift depends on it. Caps of rims
-/// that are not plane are one choice of many.
+/// However curves lie in space, the surface between them is the same, as long as they are seen from the same side: a shift depends on it.
 #[test]
-fn a_pose_changes_nothing_of_a_surface() {
+fn a_pose_changes_nothing_of_a_solid() {
     let at_rest = in_space([1.5, 2.0], [0.0, 30.0], DQuat::IDENTITY);
     let lines = |solution: &Solution| -> Vec<f64> {
         let (_, lines, _) = solution.lines().expect("lines");
@@ -448,7 +447,8 @@ fn a_pose_changes_nothing_of_a_surface() {
         assert!(found.iter().zip(&expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-6), "{angle}");
         let solid = solved(&moved, with(8, SolidColor::Flank));
         assert!((surface(&solid) / surface(&at_rest) - 1.0).abs() < 1e-9, "{angle}");
-        assert!(read_again(&solid.mesh).is_ok_and(|volume| volume > 0.0));
+        let volume = read_again(&solid.mesh).expect("watertight");
+        assert!((volume / at_rest.volume.expect("watertight") - 1.0).abs() < 1e-6, "{angle}: {volume}");
         for position in &solid.mesh.positions {
             let back = pose.inverse() * *position;
             assert!(back.truncate().length() > 8.0 && (-2.1..=32.1).contains(&back.z), "{back}");
