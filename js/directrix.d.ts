@@ -727,7 +727,7 @@ export interface Link {
   /** The address of a document, from which it is fetched once a person agrees. */
   url?: string;
   /** Default `figure`. */
-  view?: "figure" | "steps" | "compare";
+  view?: "figure" | "steps" | "compare" | "solid";
   /** Of the view `steps`: a whole number from 1. */
   step?: number;
   /** Default `full`. */

@@ -24,14 +24,19 @@ const words = strings.exports;
 /** Smallest side of a picture in pixels. */
 const SMALLEST = 16;
 const SCALES = /** @type {const} */ (["1", "2", "4"]);
+/** Exports with choices of their own. */
+const SECTIONS = {
+  morph: async () => (await import("../morph/export-section.js")).createMorphExport,
+  solid: async () => (await import("../solid/export-section.js")).createSolidExport,
+};
 /** The scale a picture has until another is chosen: sharp in a text and on a slide. */
 const FIRST_SCALE = "2";
 
 /**
- * What was chosen last, for as long as the page is open; `morph`: whether that was the morph.
- * @type {{format: Format, table: Table, content: Content, transparent: boolean, morph: boolean}}
+ * What was chosen last, for as long as the page is open; `section`: the export with a section of its own, where that was one.
+ * @type {{format: Format, table: Table, content: Content, transparent: boolean, section: keyof typeof SECTIONS | null}}
  */
-const last = { format: "png", table: "lines", content: "document", transparent: false, morph: false };
+const last = { format: "png", table: "lines", content: "document", transparent: false, section: null };
 
 /** @param {App} app */
 export function showExport(app) {
@@ -46,12 +51,12 @@ export function showExport(app) {
     {
       label: words.format,
       name: "export-format",
-      choices: /** @type {const} */ (["png", "svg", "csv", "json", "morph"]).map((value) => ({
+      choices: /** @type {const} */ (["png", "svg", "csv", "json", "morph", "solid"]).map((value) => ({
         value,
-        text: value === "morph" ? words.morph : value.toUpperCase(),
+        text: value === "morph" || value === "solid" ? words[value] : value.toUpperCase(),
       })),
     },
-    (value) => (value === "morph" ? void showMorph() : change({ format: value })),
+    (value) => (value === "morph" || value === "solid" ? void showSection(value) : change({ format: value })),
   );
   const scale = segment(
     { label: words.scale, name: "export-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) },
@@ -127,23 +132,25 @@ export function showExport(app) {
     return words.copied;
   });
 
-  /** The export of the morph, which stands in for the rest. @type {import("../morph/export-section.js").Section | null} */
-  let morph = null;
+  /** The export that stands in for the rest. @type {import("../morph/export-section.js").Section | null} */
+  let section = null;
 
-  async function showMorph() {
-    const { createMorphExport } = await import("../morph/export-section.js");
-    if (!place.isConnected) return;
-    morph ??= createMorphExport(app);
-    place.replaceChildren(morph.element);
+  /** @param {keyof typeof SECTIONS} name */
+  async function showSection(name) {
+    last.section = name;
+    const create = await SECTIONS[name]();
+    if (!place.isConnected || last.section !== name) return;
+    section?.close();
+    section = create(app);
+    place.replaceChildren(section.element);
     still.hidden = true;
-    last.morph = true;
   }
 
   /** @param {Partial<Wanted>} patch */
   function change(patch) {
     place.replaceChildren();
     still.hidden = false;
-    last.morph = false;
+    last.section = null;
     Object.assign(wanted, patch);
     Object.assign(last, { format: wanted.format, table: wanted.table, content: wanted.content, transparent: wanted.transparent });
     tell(null);
@@ -199,16 +206,18 @@ export function showExport(app) {
     message,
   );
   const place = h("div", {});
+  const formats = row(words.format, format);
+  formats.classList.add("export-formats");
   render();
   const panel = openPanel({
     name: "export",
     heading: words.heading,
-    body: [row(words.format, format), still, place],
-    onclose: () => morph?.close(),
+    body: [formats, still, place],
+    onclose: () => section?.close(),
   });
-  if (panel && last.morph) {
-    format.set("morph");
-    void showMorph();
+  if (panel && last.section) {
+    format.set(last.section);
+    void showSection(last.section);
     return;
   }
   // Enter once more downloads; on a phone the choices above would leave the screen.
