@@ -65,9 +65,6 @@ export class Space {
     canvas.addEventListener("webglcontextrestored", () => lost(false), { signal });
   }
 
-  /** Milliseconds that the last picture took to be handed to the graphics card. */
-  spent = 0;
-
   /** @param {...Object3D} objects */
   add(...objects) {
     this.#scene.add(...objects);
@@ -112,11 +109,11 @@ export class Space {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     if (this.#isLost) return;
-    const started = performance.now();
     this.#place();
     this.ondraw();
+    // What is drawn may reach farther now.
+    this.#place();
     this.#renderer.render(this.#scene, this.#camera);
-    this.spent = performance.now() - started;
   }
 
   #place() {
