@@ -450,7 +450,7 @@ impl Sampling {
     pub fn fineness(&self, curves: &[CurveSpec]) -> Fineness {
         let size = || {
             let points = curves.iter().flat_map(|curve| curve.points.iter().copied().map(DVec2::from));
-            Bounds::of(points).map_or(BLANK, |bounds| bounds.diagonal().hypot(rise(curves)))
+            Bounds::of(points).map_or(BLANK, |bounds| across(bounds.diagonal(), curves))
         };
         Fineness {
             tolerance: self.tolerance.unwrap_or_else(|| (1e-3 * size()).clamp(SMALLEST, LARGEST)),
@@ -460,18 +460,18 @@ impl Sampling {
     }
 }
 
-/// Difference between the highest and the lowest control point of curves in space; 0 of plane curves.
+/// Diagonal of the box of all control points, given that of its first two sides.
 #[cfg(feature = "solid")]
-fn rise(curves: &[CurveSpec]) -> f64 {
+fn across(diagonal: f64, curves: &[CurveSpec]) -> f64 {
     let points = curves.iter().filter_map(|curve| curve.points.in_space()).flatten();
     let ends = points.map(|point| (point.z, point.z)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-    ends.map_or(0.0, |(low, high)| high - low)
+    ends.map_or(diagonal, |(low, high)| diagonal.hypot(high - low))
 }
 
 /// Plane curves alone are read here.
 #[cfg(not(feature = "solid"))]
-fn rise(_: &[CurveSpec]) -> f64 {
-    0.0
+fn across(diagonal: f64, _: &[CurveSpec]) -> f64 {
+    diagonal
 }
 
 impl Default for Blend {

@@ -138,7 +138,7 @@ mod tests {
             })
             .collect();
         let cap = check(&rim);
-        let mut seen = vec![false; 40];
+        let mut seen = [false; 40];
         cap.triangles.iter().flatten().for_each(|&k| seen[k] = true);
         assert!(seen.iter().all(|&seen| seen));
     }
