@@ -244,12 +244,28 @@ test("leaving gives the graphics context back; a lost one is waited for; a link 
   });
   await shown(page);
   const live = () => page.evaluate(() => /** @type {any} */ (window).contexts.map((/** @type {WebGL2RenderingContext} */ gl) => !gl.isContextLost()));
-  for (let turn = 1; turn <= 10; turn += 1) {
-    await pick(page, "mode", "figure");
-    await eventually(async () => assert.equal((await live()).filter(Boolean).length, 0));
-    await pick(page, "mode", "solid");
-    await shown(page);
-  }
+  const left = await page.evaluate(async () => {
+    const { contexts } = /** @type {any} */ (window);
+    const until = async (/** @type {() => boolean} */ holds) => {
+      const end = performance.now() + 10_000;
+      while (!holds()) {
+        if (performance.now() > end) throw new Error(`waited in vain for ${holds}`);
+        await new Promise((done) => setTimeout(done, 10));
+      }
+    };
+    const enter = (/** @type {string} */ mode) =>
+      /** @type {HTMLElement} */ (document.querySelector(`[data-segment=mode] input[value=${mode}]`)).click();
+    const counts = [];
+    for (let turn = 1; turn <= 10; turn += 1) {
+      enter("figure");
+      await until(() => contexts.every((/** @type {WebGL2RenderingContext} */ gl) => gl.isContextLost()));
+      counts.push(contexts.length);
+      enter("solid");
+      await until(() => document.querySelector("[data-solid=shown]") !== null);
+    }
+    return counts;
+  });
+  assert.deepEqual(left, [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
   assert.deepEqual(await live(), [...Array(10).fill(false), true]);
 
   const message = page.locator(".solid-message");

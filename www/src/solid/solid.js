@@ -390,6 +390,7 @@ export function createSolid(app, { stage, aside, status }) {
       runner.close();
       if (timer) keepNow();
       view?.close();
+      delete stage.dataset.solid;
     },
   };
 }

@@ -139,8 +139,14 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   }
 
   const stopListening = listenToGestures(canvas, {
-    turn: (x, y) => put(dragged(space.camera, x, y)),
-    pan: (x, y) => put(panned(space.camera, space.frame, x, y)),
+    turn(x, y) {
+      put(dragged(space.camera, x, y));
+      space.drag();
+    },
+    pan(x, y) {
+      put(panned(space.camera, space.frame, x, y));
+      space.drag();
+    },
     zoom: (at, factor) => put(zoomed(space.camera, space.frame, at, factor, whole)),
     hover(at) {
       if (at && isCross) isCross = false;
@@ -153,7 +159,10 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       isCross = false;
       readSoon();
     },
-    rest: moved,
+    rest() {
+      space.rest();
+      moved();
+    },
   });
 
   /** @param {Pick<Camera, "azimuth" | "elevation">} [direction] */
