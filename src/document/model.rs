@@ -96,13 +96,11 @@ impl Model {
         self.projection.as_ref()
     }
 
-    /// Where the geometry of curves in space is spoken of, as the beginning of a sentence.
-    fn seen(&self) -> &'static str {
-        #[cfg(feature = "solid")]
-        if self.projection.is_some() {
-            return "as they are seen on the plane that fits them best, ";
-        }
-        ""
+    /// What is wrong with the geometry, said of curves in space as it is of their projections.
+    #[cfg(feature = "solid")]
+    fn seen(&self, message: String) -> String {
+        let place = "as they are seen on the plane that fits them best, ";
+        if self.projection.is_some() { format!("{place}{message}") } else { message }
     }
 
     /// The document; of one with curves in space its projection on a plane.
@@ -233,11 +231,10 @@ impl Model {
                     }
                     _ => "a simple curve",
                 };
-                let message = format!(
-                    "{}the curve meets itself near {}; expected {expected}",
-                    self.seen(),
-                    ShownPlace(meeting.at)
-                );
+                let message =
+                    format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
+                #[cfg(feature = "solid")]
+                let message = self.seen(message);
                 let error =
                     DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
                 return Some(error.with_place(meeting.at));
@@ -248,11 +245,10 @@ impl Model {
         }
         let ([first, second], _) = self.pair()?;
         let meeting = first.contact(second)?;
-        let message = format!(
-            "{}the two curves meet near {}; expected curves that keep apart",
-            self.seen(),
-            ShownPlace(meeting.at)
-        );
+        let message =
+            format!("the two curves meet near {}; expected curves that keep apart", ShownPlace(meeting.at));
+        #[cfg(feature = "solid")]
+        let message = self.seen(message);
         Some(DocumentError::new(Code::Contact, "curves[1].points", message).with_place(meeting.at))
     }
 }

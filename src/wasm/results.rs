@@ -105,7 +105,7 @@ struct LineTotals {
     uncovered: [Vec<usize>; 2],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, Default)]
 pub(super) struct DiagnosticResult {
     code: &'static str,
     message: String,
@@ -275,6 +275,7 @@ impl ProjectionResult {
     }
 }
 
+#[cfg(feature = "solid")]
 impl DiagnosticResult {
     /// A remark that speaks of nothing more than a curve and a place.
     pub(super) fn remark(
@@ -283,24 +284,13 @@ impl DiagnosticResult {
         curve: Option<usize>,
         at: Option<DVec2>,
     ) -> Self {
-        Self {
-            code,
-            message,
-            curve,
-            vertices: None,
-            lines: None,
-            pins: None,
-            reason: None,
-            parameter: None,
-            turn: None,
-            at: at.map(|at| at.to_array()),
-        }
+        Self { code, message, curve, at: at.map(|at| at.to_array()), ..Self::default() }
     }
 }
 
 impl From<&Diagnostic> for DiagnosticResult {
     fn from(diagnostic: &Diagnostic) -> Self {
-        let mut result = Self::remark(diagnostic.code(), diagnostic.to_string(), None, None);
+        let mut result = Self { code: diagnostic.code(), message: diagnostic.to_string(), ..Self::default() };
         match diagnostic {
             Diagnostic::Corner { curve, parameter, at, turn } => {
                 result.curve = Some(*curve);
