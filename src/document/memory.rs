@@ -41,9 +41,10 @@ impl Memory {
     }
 }
 
-/// What a solution takes: the number of pairs of samples.
+/// What a solution takes: the number of pairs of samples, of all spans.
 fn weight(solution: &Solution) -> usize {
-    solution.model.samples().iter().map(|samples| samples.points.len()).product::<usize>().max(LEAST)
+    let counts: Vec<usize> = solution.model.samples().iter().map(|samples| samples.points.len()).collect();
+    counts.windows(2).map(|pair| pair[0] * pair[1]).sum::<usize>().max(LEAST)
 }
 
 /// How many solutions of some weights are kept, the one used last first.

@@ -19,6 +19,8 @@ mod paths;
 mod read;
 mod schema;
 mod solve;
+#[cfg(feature = "stack")]
+mod stack;
 mod work;
 
 pub use diagnostic::Diagnostic;
@@ -41,3 +43,5 @@ pub use schema::{
     SamplingScheme, Shift, View,
 };
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};
+#[cfg(feature = "stack")]
+pub use stack::{Stacked, span_document};

@@ -6,6 +6,8 @@ mod iso;
 mod locate;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "stack")]
+mod stack;
 
 pub use band::{Band, Ruling};
 pub use cell::{UnitCell, unit_cells};
@@ -13,3 +15,5 @@ pub use iso::IsoLine;
 pub use locate::Place;
 #[cfg(feature = "paths")]
 pub use paths::{PathError, PathPair, SMALLEST_TOLERANCE, path_pair};
+#[cfg(feature = "stack")]
+pub use stack::{Overlap, Refined, Row, StackBlend, StackPlace, Strip, Thread, Weave, threads};

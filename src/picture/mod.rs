@@ -19,6 +19,8 @@ mod painting;
 mod scalar;
 mod shade;
 mod shape;
+#[cfg(feature = "stack")]
+mod stack;
 mod strip;
 #[cfg(feature = "svg")]
 mod svg;

@@ -14,6 +14,8 @@ mod painting;
 #[cfg(feature = "paths")]
 mod paths;
 mod results;
+#[cfg(feature = "stack")]
+mod stack;
 #[cfg(feature = "svg")]
 mod svg;
 
