@@ -84,10 +84,10 @@
  * @typedef {{width: number, height: number}} Size CSS pixels.
  *
  * @typedef {object} Selection
- * @property {0 | 1} curve
+ * @property {number} curve
  * @property {number[]} points ascending indices of control points; none for the whole curve
  *
- * @typedef {Probe & {boundary?: {curve: 0 | 1, at: number}}} Reading
+ * @typedef {Probe & {boundary?: {curve: number, at: number}}} Reading
  *   What the probe shows; on a curve itself with the place on it, a fraction of its knot domain.
  *
  * @typedef {{code: string, path?: string, message: string, name?: string, at?: Point}} Problem

@@ -14,7 +14,7 @@ import { includes, isWhole, middleOf, singlePoint, whole } from "../state/select
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
 
-/** @typedef {{curve: 0 | 1, point: number | null}} Held */
+/** @typedef {{curve: number, point: number | null}} Held */
 
 /** @param {App} app */
 export function createHandles(app) {
@@ -63,7 +63,7 @@ export function createHandles(app) {
           const distance = Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]));
           if (distance > least) continue;
           least = distance;
-          best = { curve: /** @type {0 | 1} */ (c), point: i };
+          best = { curve: c, point: i };
         }
       });
       return best;
@@ -83,7 +83,7 @@ export function createHandles(app) {
   };
 }
 
-/** @param {0 | 1} curve */
+/** @param {number} curve */
 function createGroup(curve) {
   const hit = svg("path", { class: "outline-hit", role: "button", tabindex: "-1", "data-outline": curve });
   const glow = svg("path", { class: "outline-glow", "aria-hidden": "true" });

@@ -49,7 +49,7 @@ export function createKeys(app) {
 
 /**
  * @param {App} app
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {(key: Key) => void} focus
  */
 function createGroup(app, curve, focus) {

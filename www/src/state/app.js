@@ -22,7 +22,7 @@
  * @property {boolean} patterns hatches stand in for the colours of the materials
  * @property {boolean} stageLabels whether the in-betweens have names
  * @property {boolean} composing whether composition keys stand on the curves in place of the control points
- * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key
+ * @property {{curve: number, index: number} | null} key the chosen composition key
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
  * @property {import("../morph/motion.js").Motion} motion how the place moves when it plays

@@ -15,7 +15,7 @@ export const DEGREES = { min: 2, max: 32 };
  * Where a new curve goes: beside the one that is there, or in place of the chosen one of two.
  * @param {CurvesDocument} document
  * @param {number} chosen
- * @returns {{index: 0 | 1, replaces: boolean}}
+ * @returns {{index: number, replaces: boolean}}
  */
 export function placeForCurve({ curves }, chosen) {
   if (curves.length < 2) return { index: curves.length === 0 ? 0 : 1, replaces: false };
@@ -110,7 +110,7 @@ export function reversedPoint(curve, point) {
  * A copy of a curve that nests with it: larger round it or, where only a far larger one would clear it, smaller
  * inside; of an open curve one beside it. It comes second, or in place of the other curve, on whose side of the original it then lies.
  * @param {CurvesDocument} document
- * @param {0 | 1} index
+ * @param {number} index
  * @returns {CurvesDocument}
  */
 export function duplicateCurve(document, index) {
@@ -130,7 +130,7 @@ export function duplicateCurve(document, index) {
 /**
  * A copy of an open curve on its left, a quarter of the way from end to end away.
  * @param {CurvesDocument} document
- * @param {0 | 1} index
+ * @param {number} index
  * @param {Curve} curve
  * @returns {CurvesDocument}
  */
