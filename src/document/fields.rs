@@ -160,10 +160,7 @@ fn sampling(node: &Node<'_>, curves: &[CurveSpec]) -> Read<Sampling> {
     if let Some(counts) = node.get("counts")? {
         let items = counts.items()?;
         let wanted = sampling.counts.len();
-        if items.len() != wanted {
-            let message = format!("{} counts were found; expected {wanted}, one for each curve", items.len());
-            return Err(counts.error(Code::Range, message));
-        }
+        counts.check_count(items.len(), " counts", wanted..=wanted)?;
         for (count, item) in sampling.counts.iter_mut().zip(&items) {
             *count = item.count_within(3..=1000)?;
         }

@@ -25,15 +25,6 @@ pub struct Model {
     materials: Vec<Material>,
 }
 
-/// A question about curves that must not meet.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Check {
-    /// Does a curve meet itself?
-    Itself(usize),
-    /// Do two curves of the same height meet?
-    Between(usize, usize),
-}
-
 impl Model {
     /// Builds the curves and compositions of a document.
     ///
@@ -195,49 +186,40 @@ impl Model {
     /// Finds a place where a curve meets itself, or where two meet at equal heights, on the curves themselves.
     #[must_use]
     pub fn fault(&self) -> Option<DocumentError> {
-        self.checks().into_iter().find_map(|check| self.check(check))
-    }
-
-    /// All that [`fault`](Self::fault) asks: of every curve first, then of the pairs.
-    pub(super) fn checks(&self) -> Vec<Check> {
         let count = self.curves.len();
-        let height = |k: usize| self.document.curves[k].height;
-        let pairs = (0..count).flat_map(|j| (0..j).map(move |i| (i, j)));
-        let level = pairs.filter(|&(i, j)| height(i) == height(j)).map(|(i, j)| Check::Between(i, j));
-        (0..count).map(Check::Itself).chain(level).collect()
+        let meets = || (1..count).find_map(|j| (0..j).find_map(|i| self.contact(i, j)));
+        (0..count).find_map(|k| self.self_contact(k)).or_else(meets)
     }
 
-    /// Answers one of [`checks`](Self::checks).
-    pub(super) fn check(&self, check: Check) -> Option<DocumentError> {
-        match check {
-            Check::Itself(k) => {
-                let curve = &self.curves[k];
-                let meeting = curve.self_intersection()?;
-                let expected = match curve.domain() {
-                    ends if !curve.is_closed() && (meeting.u, meeting.v) == ends => {
-                        "an open curve whose ends keep apart, or the form `clamped`"
-                    }
-                    _ => "a simple curve",
-                };
-                let message =
-                    format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
-                let error =
-                    DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
-                Some(error.with_place(meeting.at))
+    /// A place where a curve meets itself.
+    pub(super) fn self_contact(&self, k: usize) -> Option<DocumentError> {
+        let curve = &self.curves[k];
+        let meeting = curve.self_intersection()?;
+        let expected = match curve.domain() {
+            ends if !curve.is_closed() && (meeting.u, meeting.v) == ends => {
+                "an open curve whose ends keep apart, or the form `clamped`"
             }
-            Check::Between(i, j) => {
-                let meeting = self.curves[i].contact(&self.curves[j])?;
-                let met = if self.curves.len() == 2 {
-                    "the two curves meet".to_owned()
-                } else {
-                    format!("the curve meets curve {i}")
-                };
-                let message =
-                    format!("{met} near {}; expected curves that keep apart", ShownPlace(meeting.at));
-                let path = format!("curves[{j}].points");
-                Some(DocumentError::new(Code::Contact, path, message).with_place(meeting.at))
-            }
+            _ => "a simple curve",
+        };
+        let message = format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
+        let error = DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
+        Some(error.with_place(meeting.at))
+    }
+
+    /// A place where two curves of the same height meet.
+    pub(super) fn contact(&self, i: usize, j: usize) -> Option<DocumentError> {
+        let curves = &self.document.curves;
+        if curves[i].height != curves[j].height {
+            return None;
         }
+        let meeting = self.curves[i].contact(&self.curves[j])?;
+        let near = ShownPlace(meeting.at);
+        let message = if cfg!(feature = "stack") && curves.len() > 2 {
+            format!("the curve meets curve {i} near {near}; expected curves that keep apart")
+        } else {
+            format!("the two curves meet near {near}; expected curves that keep apart")
+        };
+        Some(DocumentError::new(Code::Contact, format!("curves[{j}].points"), message).with_place(meeting.at))
     }
 }
 

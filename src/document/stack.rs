@@ -1,6 +1,5 @@
 //! A stack of more than two curves: its spans solved one after the other, then woven into one blend, in steps.
 
-use super::model::Check;
 use super::{BlendKind, CurvesDocument, Diagnostic, Model, Outcome, Pin, Solution, Solve};
 use crate::geom::{Location, SegmentGrid, locate, segments_meet};
 use crate::morph::{Refined, StackBlend, Weave};
@@ -55,7 +54,8 @@ fn pins_of(document: &CurvesDocument, span: usize) -> impl Iterator<Item = (usiz
 #[derive(Debug)]
 pub(super) struct StackWork {
     is_coarse: bool,
-    checks: IntoIter<Check>,
+    /// Curves to look at by themselves and in pairs: what is left of these questions.
+    checks: IntoIter<(usize, usize)>,
     job: Option<Box<Solve>>,
     spans: Vec<Solution>,
     /// Number of spans in all.
@@ -80,7 +80,7 @@ impl StackWork {
     pub(super) fn new(model: &Model, is_coarse: bool) -> Self {
         Self {
             is_coarse,
-            checks: model.checks().into_iter(),
+            checks: checks(model.curves().len()).into_iter(),
             job: None,
             spans: Vec::new(),
             count: model.curves().len() - 1,
@@ -91,8 +91,9 @@ impl StackWork {
 
     /// Advances while `may_go_on` says so, at least by a little. Turns open curves of the model as the spans find out.
     pub(super) fn step(&mut self, model: &mut Model, may_go_on: &mut dyn FnMut() -> bool) -> Option<Ready> {
-        for check in self.checks.by_ref() {
-            if let Some(fault) = model.check(check) {
+        for (i, j) in self.checks.by_ref() {
+            let fault = if i == j { model.self_contact(i) } else { model.contact(i, j) };
+            if let Some(fault) = fault {
                 return Some((Outcome::Refused(fault), Vec::new(), false));
             }
             if !may_go_on() {
@@ -187,6 +188,12 @@ impl StackWork {
         }
         self.diagnostics.extend(out_of_order(model, &self.spans));
     }
+}
+
+/// Every curve by itself, then every pair, as [`Model::fault`] asks.
+fn checks(count: usize) -> Vec<(usize, usize)> {
+    let pairs = (1..count).flat_map(|j| (0..j).map(move |i| (i, j)));
+    (0..count).map(|k| (k, k)).chain(pairs).collect()
 }
 
 /// Share of the work that the spans take.

@@ -69,9 +69,18 @@ export function createModes(app) {
     if (!load) return;
     find("#status").replaceChildren();
     try {
-      const create = await load();
+      const [create, { spanApp, spanChoice }] = await Promise.all([load(), import("../stack/span-view.js")]);
       if (shown !== name) return;
-      view = create(app, { stage, aside, status: find("#status") });
+      const inner = create(spanApp(app), { stage, aside, status: find("#status") });
+      const choice = spanChoice(app);
+      stage.append(choice.element);
+      view = {
+        render() {
+          choice.render();
+          inner.render();
+        },
+        close: inner.close,
+      };
       view.render();
     } catch (error) {
       ui.set({ mode: "figure", note: { tone: "error", text: words.failed(problem(error).message) } });

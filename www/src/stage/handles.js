@@ -20,12 +20,21 @@ import { toScreen } from "../view.js";
 export function createHandles(app) {
   const overlay = find("#overlay");
   const name = h("span", { class: "handle-name", "aria-hidden": "true" });
-  const groups = /** @type {const} */ ([0, 1]).map((curve) => createGroup(curve));
+  const groups = [0, 1].map(createGroup);
   overlay.append(
     h("p", { id: "handle-help", class: "spoken" }, strings.handles.help),
     ...groups.map((group) => group.element),
     name,
   );
+
+  /** A group for every curve; those of curves that are gone hide. */
+  function grow() {
+    while (groups.length < app.store.document.curves.length) {
+      const group = createGroup(groups.length);
+      groups.push(group);
+      name.before(group.element);
+    }
+  }
 
   return {
     element: overlay,
@@ -34,6 +43,7 @@ export function createHandles(app) {
       const { view, size, selection, layers, drawing, composing } = app.ui.value;
       if (!view) return;
       overlay.hidden = drawing || composing || !layers.includes("controlPoints");
+      grow();
       for (const group of groups) group.render(app, view, size);
       const point = singlePoint(selection);
       const chosen = selection && point !== null ? app.store.document.curves[selection.curve]?.points[point] : null;
@@ -103,7 +113,7 @@ function createGroup(curve) {
   function grow(count) {
     while (buttons.length < count) {
       const name = pointName(curve, buttons.length);
-      const button = h("button", { type: "button", class: `handle ${curve === 0 ? "round" : "square"}` });
+      const button = h("button", { type: "button", class: `handle ${curve % 2 === 0 ? "round" : "square"}` });
       button.dataset.handle = name;
       buttons.push(button);
       element.append(button);

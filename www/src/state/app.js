@@ -11,6 +11,7 @@
  * @typedef {object} Ui
  * @property {"figure" | "steps" | "compare"} mode what the canvas is for
  * @property {"curves" | "lessons"} workbench follows the address
+ * @property {number} span the span of a stack that the modes `steps` and `compare` look at
  * @property {number} step the step of the greedy growth that the mode `steps` shows or would show
  * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit
@@ -110,6 +111,7 @@ export function curveName(document, index) {
   const own = document.curves[index]?.name;
   if (own) return own;
   if (document.curves.length < 2) return strings.curves.one;
+  if (document.curves.length > 2) return strings.curves.nth(letterOf(index));
   const reach = document.curves.map(({ points }) => {
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);
@@ -120,13 +122,19 @@ export function curveName(document, index) {
   return index === outer ? strings.curves.outer : strings.curves.inner;
 }
 
+/** The letter of a curve: A is the first. @param {number} curve */
+export const letterOf = (curve) => String.fromCharCode(65 + curve);
+
+/** A span of a stack by the letters of its curves. @param {number} span */
+export const spanName = (span) => `${letterOf(span)}\u2013${letterOf(span + 1)}`;
+
 /**
  * The short name of a control point: A1 on the first curve, B1 on the second.
  * @param {number} curve
  * @param {number} point
  */
 export function pointName(curve, point) {
-  return `${curve === 0 ? "A" : "B"}${point + 1}`;
+  return `${letterOf(curve)}${point + 1}`;
 }
 
 /**

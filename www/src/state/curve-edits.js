@@ -48,34 +48,56 @@ function withShape({ knots: _, ...rest }, { degree, form, points, knots }) {
 }
 
 /**
+ * Takes a curve away, with its sample count and the pins of the spans at its sides.
  * @param {CurvesDocument} document
  * @param {number} index
  * @returns {CurvesDocument}
  */
 export function deleteCurve(document, index) {
-  if (!document.curves[index]) return document;
-  const curves = document.curves.filter((_, i) => i !== index);
-  return index === 0 ? exchangedCounts({ ...document, curves }) : { ...document, curves };
+  const { curves, sampling } = document;
+  if (!curves[index]) return document;
+  const counts = sampling.counts.toSpliced(index, 1);
+  // A drawing in progress has counts for two.
+  if (counts.length < 2) counts.push(sampling.counts[index]);
+  const rest = { ...document, curves: curves.toSpliced(index, 1), sampling: { ...sampling, counts } };
+  if (curves.length < 3) return rest;
+  return withPins(rest, (pair) => (pair === index || pair === index - 1 ? null : pair > index ? pair - 1 : pair));
 }
 
 /**
- * The first curve becomes the second: the morph runs the other way.
+ * Gives pins the numbers that their spans have now; those whose span is gone go with it.
+ * @param {CurvesDocument} document
+ * @param {(pair: number) => number | null} change
+ * @returns {CurvesDocument}
+ */
+export function withPins(document, change) {
+  const { pins, ...matching } = document.matching;
+  if (!pins) return document;
+  const kept = pins.flatMap(({ u, v, pair = 0 }) => {
+    const now = change(pair);
+    return now === null ? [] : [now === 0 ? { u, v } : { u, v, pair: now }];
+  });
+  return { ...document, matching: kept.length > 0 ? { ...matching, pins: kept } : matching };
+}
+
+/**
+ * The first curve becomes the last: the morph runs the other way.
  * @param {CurvesDocument} document
  * @returns {CurvesDocument}
  */
 export function swapCurves(document) {
-  const [a, b] = document.curves;
-  return a && b ? exchangedCounts({ ...document, curves: [b, a] }) : document;
-}
-
-/**
- * Sample counts go with their curves.
- * @param {CurvesDocument} document
- * @returns {CurvesDocument}
- */
-function exchangedCounts(document) {
-  const [a, b] = document.sampling.counts;
-  return { ...document, sampling: { ...document.sampling, counts: [b, a] } };
+  const { curves, sampling, matching } = document;
+  if (curves.length < 2) return document;
+  const pins = matching.pins?.map(({ u, v, pair = 0 }) => {
+    const span = curves.length - 2 - pair;
+    return span === 0 ? { u: v, v: u } : { u: v, v: u, pair: span };
+  });
+  return {
+    ...document,
+    curves: curves.toReversed(),
+    sampling: { ...sampling, counts: sampling.counts.toReversed() },
+    matching: pins ? { ...matching, pins } : matching,
+  };
 }
 
 /**
