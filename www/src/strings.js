@@ -612,6 +612,7 @@ export const strings = {
       pockets: "Pockets",
       measures: "Measures and limits",
       materials: "Materials",
+      stacks: "Stacks",
     },
     notMatchable: "No matching",
   },

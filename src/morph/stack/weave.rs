@@ -30,7 +30,7 @@ pub struct Weave {
 pub enum Refined {
     /// This many.
     By(usize),
-    /// As many as make about this number of strands in all, from 2 to 32; 1 where there are as many threads.
+    /// As many as make no more than this number of strands in all, from 1 to 32.
     Towards(usize),
 }
 
@@ -38,8 +38,7 @@ impl Refined {
     fn count(self, threads: usize) -> usize {
         match self {
             Self::By(count) => count.max(1),
-            Self::Towards(all) if threads >= all => 1,
-            Self::Towards(all) => all.div_ceil(threads.max(1)).clamp(2, 32),
+            Self::Towards(all) => (all / threads.max(1)).clamp(1, 32),
         }
     }
 }

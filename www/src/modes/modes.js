@@ -73,13 +73,16 @@ export function createModes(app) {
       if (shown !== name) return;
       const inner = create(spanApp(app), { stage, aside, status: find("#status") });
       const choice = spanChoice(app);
-      stage.append(choice.element);
+      element.append(choice.element);
       view = {
         render() {
           choice.render();
           inner.render();
         },
-        close: inner.close,
+        close() {
+          choice.element.remove();
+          inner.close();
+        },
       };
       view.render();
     } catch (error) {

@@ -1,6 +1,6 @@
 /**
  * Modes that look at two curves look at one span of a stack: they are given the page with the document of that span, and a choice of spans stands
- * over the canvas.
+ * beside the switch of modes.
  *
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument } from "../types.js"
@@ -48,7 +48,7 @@ export function spanApp(app) {
 /** The choice of a span. @param {App} app */
 export function spanChoice(app) {
   const list = h("select", { "data-field": "span", "aria-label": words.span });
-  const element = h("label", { class: "span-choice", "data-furniture": "" }, words.span, list);
+  const element = h("label", { class: "span-choice" }, words.span, h("span", { class: "field select" }, list));
   list.addEventListener("change", () => {
     const span = Number(list.value);
     app.ui.set({ span });

@@ -16,7 +16,7 @@ import { beyond, moveCurve, putCurve } from "./stack-edits.js";
 import { words } from "./words.js";
 
 /** Distance of an inserted curve from the in-between, in parts of its diagonal, and points that an open one passes. */
-const NEAR = 0.004;
+const NEAR = 0.0012;
 const PASSED = 16;
 /** Points of an in-between from each thread to the next. */
 const REFINE = 4;
@@ -116,13 +116,16 @@ function through(points) {
 }
 
 /**
- * What the blend is made of along a curve in its middle: one key where that is the same all along.
+ * What the blend is made of along a curve in its middle: one key where that is the same all along, as it is between two curves that are.
  * @param {App} app
  * @param {CurvesDocument} pair
  * @param {Shape} shape
  * @returns {Promise<CompositionKey[]>}
  */
 async function mixes(app, pair, shape) {
+  const [first, second] = pair.curves.map(({ composition }) => composition);
+  const half = [{ at: 0, mix: written(first[0].mix.map((part, i) => (part + second[0].mix[i]) / 2)) }];
+  if (first.length === 1 && second.length === 1) return half;
   /** @type {CompositionKey[]} */
   const keys = [];
   for (let k = 0; k < READ; k += 1) {
@@ -130,10 +133,7 @@ async function mixes(app, pair, shape) {
     const found = await app.kernel.probe(pair, placeOn(/** @type {Curve} */ (shape), at).at);
     if (found) keys.push({ at: Number(at.toFixed(4)), mix: written(found.fractions) });
   }
-  if (keys.length === 0) {
-    const [a, b] = pair.curves.map(({ composition }) => composition[0].mix);
-    return [{ at: 0, mix: written(a.map((part, i) => (part + b[i]) / 2)) }];
-  }
+  if (keys.length === 0) return half;
   const isSame = keys.every(({ mix }) => mix.every((part, i) => Math.abs(part - keys[0].mix[i]) < SAME));
   return isSame ? [{ at: 0, mix: keys[0].mix }] : keys;
 }
