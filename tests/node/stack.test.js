@@ -2,6 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { DirectrixError, load } from "directrix";
+import { stackCsv } from "../../www/src/files/csv.js";
+import { animatedStack } from "../../www/src/morph/animated-stack.js";
+import { eased } from "../../www/src/morph/motion.js";
 
 /** @import { Curve, CurvesDocument } from "directrix" */
 
@@ -113,4 +116,35 @@ test("the module of figures leaves stacks to the whole one, and takes a cubic bl
   assert.equal(refused(() => figure.match(nest())).code, "not-in-module");
   const two = nest({ curves: [ring(10), ring(20)] });
   assert.deepEqual(figure.stages(two), figure.stages({ ...two, blend: { kind: "ruled", stages: 4 } }));
+});
+
+test("a stack plays as SVG through all its stages, each at its time", () => {
+  const stages = dx.stages(nest());
+  for (const repeat of /** @type {const} */ (["once", "swing"])) {
+    const motion = { seconds: 2, easing: /** @type {const} */ ("ease"), repeat };
+    const options = { stages, closed: true, motion, size: { width: 200, height: 100 } };
+    const svg = animatedStack("<svg></svg>", { center: [0, 0], scale: 1 }, options);
+    const [, values, times] = /values="([^"]*)" keyTimes="([^"]*)"/.exec(svg) ?? [];
+    const paths = values.split(";");
+    const at = times.split(";").map(Number);
+    assert.equal(paths.length, repeat === "swing" ? 2 * stages.length - 1 : stages.length);
+    assert.deepEqual([at.length, at[0], at.at(-1)], [paths.length, 0, 1]);
+    assert.ok(at.every((time, k) => k === 0 || time > at[k - 1]));
+    const half = repeat === "swing" ? 2 : 1;
+    stages.forEach(({ s }, k) => assert.ok(Math.abs(eased("ease", half * at[k]) - s) < 1e-5, `${repeat} ${k}`));
+    const counts = new Set(paths.map((path) => path.split("L").length));
+    assert.deepEqual([...counts], [stages[0].points.length]);
+    const [x, y] = stages[0].points[0];
+    assert.ok(paths[0].startsWith(`M${(100 + x).toFixed(1)} ${(50 - y).toFixed(1)}L`) && paths[0].endsWith("Z"));
+  }
+});
+
+test("the table of a stack has the lines of every span", () => {
+  const { spans = [] } = dx.match(nest({ curves: [ring(10), ring(20, 3), ring(34, 7)] }));
+  const [head, ...rows] = stackCsv(spans, [0, 3, 7]).trim().split("\n").map((line) => line.split(","));
+  assert.deepEqual(head.slice(0, 4), ["span", "line", "u", "v"]);
+  assert.deepEqual(rows.map((cells) => Number(cells[0])), [...Array(44).fill(0), ...Array(44).fill(1)]);
+  const length = head.indexOf("length");
+  const [x1, y1, x2, y2] = rows[50].slice(4, 8).map(Number);
+  assert.ok(Math.abs(Number(rows[50][length]) - Math.hypot(x2 - x1, y2 - y1, 4)) < 1e-9, "the difference of the heights counts");
 });

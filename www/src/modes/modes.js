@@ -73,6 +73,7 @@ export function createModes(app) {
       if (shown !== name) return;
       const inner = create(spanApp(app), { stage, aside, status: find("#status") });
       const choice = spanChoice(app);
+      choice.render();
       element.append(choice.element);
       view = {
         render() {

@@ -19,5 +19,5 @@ export const words = {
   span: "Span",
   spanChosen: (/** @type {string} */ span) => `Span ${span}`,
   noPins: "Lines of a stack are pinned in its file: fields `u`, `v` and `pair` of `matching.pins`.",
-  onePath: "Paths and SVG animations join two curves; a stack plays as film and pictures.",
+  onePath: "Paths join two curves. A stack plays as SVG with its figure, as pictures and as a film.",
 };
