@@ -69,7 +69,7 @@ enum Weaving {
     Waiting,
     Working(Box<Weave>),
     /// The blend, and the number of gaps between its strands that were looked at.
-    Checking(Box<StackBlend>, usize),
+    Checking(Option<Box<StackBlend>>, usize),
     Over(Option<Box<StackBlend>>),
 }
 
@@ -133,14 +133,15 @@ impl StackWork {
                 }
                 Weaving::Working(job) => {
                     match job.step(&|curve, u| model.composition(curve, u), may_go_on)? {
-                        Some(blend) => Weaving::Checking(Box::new(blend), 0),
+                        Some(blend) => Weaving::Checking(Some(Box::new(blend)), 0),
                         None => {
                             self.diagnostics.push(Diagnostic::NoThread);
                             Weaving::Over(None)
                         }
                     }
                 }
-                Weaving::Checking(blend, looked) => {
+                Weaving::Checking(checked, looked) => {
+                    let blend = checked.as_ref()?;
                     let mut overlap = None;
                     while *looked < blend.gaps() && overlap.is_none() {
                         overlap = blend.overlap_at(*looked);
@@ -149,9 +150,9 @@ impl StackWork {
                             return None;
                         }
                     }
-                    let found = overlap.map(|it| Diagnostic::Overlap { span: it.span, at: it.at });
-                    let blend = found.is_none().then(|| blend.clone());
-                    self.diagnostics.extend(found);
+                    let blend = checked.take().filter(|_| overlap.is_none());
+                    self.diagnostics
+                        .extend(overlap.map(|it| Diagnostic::Overlap { span: it.span, at: it.at }));
                     Weaving::Over(blend)
                 }
                 Weaving::Over(blend) => {

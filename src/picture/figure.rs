@@ -4,7 +4,7 @@ use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Vi
 use crate::curve::BSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
 use crate::material::{Oklab, mix_colors};
-use crate::morph::{Band, Ruling, unit_cells};
+use crate::morph::{Band, IsoLine, Ruling, unit_cells};
 use glam::DVec2;
 
 /// What to show of a solved document.
@@ -69,7 +69,7 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     if let Some(band) = band {
         drawing.material(band);
         drawing.in_betweens(band);
-        drawing.iso_lines(band);
+        drawing.iso_lines(&|material, level| band.iso_lines(material, level));
     }
     drawing.lines(solution, 0, None);
     if let (Some(band), Some(s)) = (band, options.s) {
@@ -255,14 +255,14 @@ impl Drawing<'_> {
     }
 
     /// Lines at every tenth of the fraction, each second one firm.
-    fn iso_lines(&mut self, band: &Band) {
+    pub(super) fn iso_lines(&mut self, lines: &dyn Fn(usize, f64) -> Vec<IsoLine>) {
         let material = self.options.iso_material;
         if !self.shows(LayerName::IsoComposition) || material >= self.solution.model.materials().len() {
             return;
         }
         for tenth in [1, 3, 5, 7, 9, 2, 4, 6, 8] {
             let style = self.inside(if tenth % 2 == 0 { self.theme.iso } else { self.theme.iso_minor });
-            for line in band.iso_lines(material, f64::from(tenth) / 10.0) {
+            for line in lines(material, f64::from(tenth) / 10.0) {
                 let path = Path { rings: vec![line.points], closed: line.closed };
                 self.stroke("iso-composition", path, style);
             }

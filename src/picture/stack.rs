@@ -10,6 +10,9 @@ use glam::DVec2;
 /// Distance on the curves from one ruling of a hatched band to the next, in CSS pixels.
 const RULING_STEP: f64 = 12.0;
 
+/// Strands that a picture shows at most; the others are passed over.
+const MOST_STRANDS: usize = 600;
+
 /// A part of a span that is painted at once: its strips, and the outline that cuts them.
 struct Piece {
     strips: Vec<Band>,
@@ -20,18 +23,22 @@ impl Drawing<'_> {
     /// Draws all that lies between the curves of a stack.
     pub(super) fn stack(&mut self, stack: &Stacked) {
         let blend = stack.blend.as_ref().filter(|_| stack.is_complete);
-        if let Some(blend) = blend {
+        // Many samples on many curves make more strands than a picture can show.
+        let thinned =
+            blend.filter(|blend| blend.gaps() > MOST_STRANDS).map(|blend| blend.thinned(MOST_STRANDS));
+        let shown = thinned.as_ref().or(blend);
+        if let (Some(blend), Some(shown)) = (blend, shown) {
             for span in blend.from_below() {
-                self.span(blend, span);
+                self.span(if self.shows(LayerName::UnitCells) { blend } else { shown }, span);
             }
-            self.stages(blend);
-            self.iso(blend);
+            self.stages(shown);
+            self.iso_lines(&|material, level| shown.iso_lines(material, level));
         }
         for (span, solution) in stack.spans.iter().enumerate() {
             let curved = blend.filter(|blend| blend.is_cubic()).map(|blend| blend.lines(span));
             self.lines(solution, stack.lines_before(span), curved);
         }
-        if let (Some(blend), Some(s)) = (blend, self.options.s) {
+        if let (Some(blend), Some(s)) = (shown, self.options.s) {
             let (span, share) = blend.span_at(s);
             let colors = self.colors();
             let shades =
@@ -88,7 +95,7 @@ impl Drawing<'_> {
     /// A span in pieces that its outline bounds.
     ///
     /// A level span, and a linear one, lies between its two curves. A cubic one between two heights may bulge beyond both in the projection; so it is painted
-    /// strip by strip, each with the strip before it underneath, so that nothing shines through where two meet.
+    /// by a few strips at a time, with the strip before them underneath, so that nothing shines through where two meet.
     fn pieces(&self, blend: &StackBlend, span: usize, parts: usize) -> Vec<Piece> {
         let at = |part: usize| part as f64 / parts as f64;
         let strips: Vec<Band> = (0..parts).map(|part| blend.strip(span, at(part), at(part + 1))).collect();
@@ -101,18 +108,21 @@ impl Drawing<'_> {
             };
             return vec![Piece { strips, outline }];
         }
+        let group = if parts == PARTS { GROUP } else { 1 };
         (0..parts)
+            .step_by(group)
             .map(|part| {
                 let first = part.saturating_sub(1);
+                let last = parts.min(part + group);
                 let near = blend.in_between_at(span, at(first));
-                let mut far = blend.in_between_at(span, at(part + 1));
+                let mut far = blend.in_between_at(span, at(last));
                 let outline = if blend.is_closed() {
                     Path { rings: vec![near, far], closed: true }
                 } else {
                     far.reverse();
                     Path::closed([near, far].concat())
                 };
-                Piece { strips: strips[first..=part].to_vec(), outline }
+                Piece { strips: strips[first..last].to_vec(), outline }
             })
             .collect()
     }
@@ -126,25 +136,12 @@ impl Drawing<'_> {
             self.stroke("in-betweens", path, self.inside(self.theme.in_between));
         }
     }
-
-    /// Lines at every tenth of the fraction, each second one firm.
-    fn iso(&mut self, blend: &StackBlend) {
-        let material = self.options.iso_material;
-        if !self.shows(LayerName::IsoComposition) || material >= self.solution.model.materials().len() {
-            return;
-        }
-        for tenth in [1, 3, 5, 7, 9, 2, 4, 6, 8] {
-            let style = self.inside(if tenth % 2 == 0 { self.theme.iso } else { self.theme.iso_minor });
-            for line in blend.iso_lines(material, f64::from(tenth) / 10.0) {
-                let path = Path { rings: vec![line.points], closed: line.closed };
-                self.stroke("iso-composition", path, style);
-            }
-        }
-    }
 }
 
 /// Parts of a span of a cubic blend, each painted as if it were straight.
 const PARTS: usize = 8;
+/// Parts that are painted together where a span bulges: over so short a way the outermost rows are its first and its last.
+const GROUP: usize = 2;
 
 /// Places at which remarks on a stack point: overlaps, curves out of order, and where curves or polygons of a span meet.
 pub(super) fn places(solution: &Solution) -> Vec<DVec2> {

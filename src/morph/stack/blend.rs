@@ -71,6 +71,27 @@ impl StackBlend {
         self.strands.iter().step_by(self.per_line).map(|strand| strand.parameters.as_slice())
     }
 
+    /// The blend on at most about `most` of its strands, evenly taken, for a picture that shows no more; it has no lines and no threads of its own.
+    #[must_use]
+    pub fn thinned(&self, most: usize) -> Self {
+        let stride = self.strands.len().div_ceil(most.max(1)).max(1);
+        let mut strands: Vec<Strand> = self.strands.iter().step_by(stride).cloned().collect();
+        let last = self
+            .strands
+            .last()
+            .filter(|_| self.end.is_none() && !(self.strands.len() - 1).is_multiple_of(stride));
+        strands.extend(last.cloned());
+        Self {
+            knots: self.knots.clone(),
+            heights: self.heights.clone(),
+            climbs: self.climbs.clone(),
+            end: self.end.clone(),
+            per_line: 1,
+            lines: vec![0; strands.len()],
+            strands,
+        }
+    }
+
     /// Tells whether the last strand is followed by the first.
     #[must_use]
     pub fn is_closed(&self) -> bool {
