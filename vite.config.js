@@ -17,6 +17,8 @@ export default defineConfig({
     emptyOutDir: true,
     target: "es2022",
     manifest: true,
+    // The library for pictures in three dimensions is one piece; `npm run size` bounds it.
+    chunkSizeWarningLimit: 650,
     // What the page needs before it can paint comes in one piece, which compresses better, whatever else needs parts of it later.
     rolldownOptions: { output: { codeSplitting: { groups: [{ name: "page", tags: ["$initial"] }] } } },
     // A module inside a script could neither be streamed nor shared between the page and its worker.

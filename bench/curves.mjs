@@ -142,7 +142,9 @@ export default [
     },
   },
   {
-    name: "in-between frame at 200 lines, painted",
+    // A frame of the morph as the page asks for it: 60 of them a second.
+    name: "in-between frame at 200 lines, painted 800 x 600",
+    budget: 16.6,
     prepare(dx) {
       const document = edits([200, 200])();
       let s = 0;
@@ -155,6 +157,32 @@ export default [
     prepare(dx) {
       const document = edits([200, 200])();
       return () => dx.stages(document);
+    },
+  },
+  {
+    name: "one stage at 200 lines",
+    budget: 4,
+    prepare(dx) {
+      const document = edits([200, 200])();
+      document.blend = { kind: "ruled", stages: 2 };
+      return () => dx.stages(document);
+    },
+  },
+  {
+    name: "unit cells at 200 lines, 5 stages",
+    budget: 50,
+    prepare(dx) {
+      const document = edits([200, 200])();
+      return () => dx.cells(document);
+    },
+  },
+  {
+    name: "amounts of materials at 200 lines",
+    budget: 50,
+    async prepare() {
+      const dx = await load({ module: "full" });
+      const document = edits([200, 200])();
+      return () => dx.amounts(document);
     },
   },
   {

@@ -20,6 +20,14 @@ function whole(engine, name) {
   throw new DirectrixError("not-in-module", "", `${name} is not in the module "figure"; load the module "full"`);
 }
 
+/**
+ * Work on a solved document, in steps.
+ *
+ * @typedef {object} Work
+ * @property {(budget: number) => number} step goes on for about so many milliseconds; returns the share done
+ * @property {() => Partial<import("./directrix.js").Progress>} end what is done
+ */
+
 /** The levels of isolines that are not asked for. */
 const TENTHS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
 
@@ -66,6 +74,30 @@ export function createApi(engine) {
    */
   const start = (document, { coarse = false, ...options }) =>
     ask(() => engine.painting(toText(document), coarse, toText(options, "options")));
+  /**
+   * @param {string} text
+   * @param {import("./directrix.js").PictureOptions} options
+   * @returns {Work}
+   */
+  const painted = (text, options) => {
+    const painting = start(text, options);
+    return { step: (budget) => ask(() => painting.step(budget)), end: () => ask(() => ({ picture: painting.picture() })) };
+  };
+  /**
+   * @param {"solid" | "solidFile"} name
+   * @param {string} text
+   * @param {object} options
+   */
+  const model = (name, text, options) => {
+    const modelling = ask(() => whole(engine, name)[name](text, toText(options, "options")));
+    const step = (/** @type {number} */ budget) => ask(() => modelling.step(budget));
+    const result = () => ask(() => modelling.result());
+    const run = () => {
+      step(Infinity);
+      return result();
+    };
+    return { step, run, end: () => (name === "solid" ? { solid: result() } : { file: result() }) };
+  };
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
@@ -115,24 +147,32 @@ export function createApi(engine) {
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
     morphPaths: (document, options = {}) =>
       ask(() => whole(engine, "morphPaths").morphPaths(toText(document), toText(options, "options"))),
-    job(document, { paint, coarse = paint?.coarse ?? false, greedy = false } = {}) {
+    amounts: (document) => ask(() => whole(engine, "amounts").amounts(toText(document))),
+    solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
+    solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
+    job(document, { paint, solid, solidFile, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       const text = ask(() => (greedy ? greedyText(engine, document) : toText(document)));
-      /** @type {import("./pkg/directrix.js").Painting | undefined} */
-      let painting;
+      /** @type {(() => Work) | undefined} */
+      let next;
+      if (paint) next = () => painted(text, paint);
+      else if (solid) next = () => model("solid", text, solid);
+      else if (solidFile) next = () => model("solidFile", text, solidFile);
+      /** @type {Work | undefined} */
+      let work;
       /** @type {import("./directrix.js").Progress | undefined} */
       let end;
       const solve = (/** @type {number} */ budget) => {
         const progress = ask(() => engine.step(text, coarse, budget));
-        if (!paint) return { progress, done: progress === 1 };
-        if (progress === 1) painting = start(text, paint);
+        if (!next) return { progress, done: progress === 1 };
+        if (progress === 1) work = next();
         return { progress: progress / 2, done: false };
       };
-      const go = (/** @type {import("./pkg/directrix.js").Painting} */ painting, /** @type {number} */ budget) => {
-        const painted = ask(() => painting.step(budget));
-        if (painted < 1) return { progress: (1 + painted) / 2, done: false };
-        return (end = { progress: 1, done: true, picture: ask(() => painting.picture()) });
+      const go = (/** @type {Work} */ work, /** @type {number} */ budget) => {
+        const share = work.step(budget);
+        if (share < 1) return { progress: (1 + share) / 2, done: false };
+        return (end = { progress: 1, done: true, ...work.end() });
       };
-      return { step: (budget) => end ?? (painting ? go(painting, budget) : solve(budget)) };
+      return { step: (budget) => end ?? (work ? go(work, budget) : solve(budget)) };
     },
   };
 }

@@ -89,12 +89,36 @@ export interface CurvesDocument {
   view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number; patterns?: boolean };
 }
 
+/** A point [x, y, z] in document units, z up. */
+export type SpacePoint = [number, number, number];
+
+/** A curves document whose control points all lie in space; the module `full` reads it. */
+export interface SpaceDocument extends Omit<CurvesDocument, "curves"> {
+  curves: (Omit<Curve, "points" | "height"> & { points: SpacePoint[] })[];
+}
+
 /** A document as an object, or its JSON text. */
-export type DocumentInput = CurvesDocument | string;
+export type DocumentInput = CurvesDocument | SpaceDocument | string;
+
+/** What the matching of curves in space takes for granted: they are seen along one direction, each as lying at its mean height. */
+export interface Projection {
+  /** The point of the plane of the first curve that is nearest to the origin of the document. */
+  origin: SpacePoint;
+  /** Unit vector along which the curves are seen, normal of the planes. */
+  normal: SpacePoint;
+  /** Unit vectors along x and y of the plane in which results speak. */
+  axes: [SpacePoint, SpacePoint];
+  /** Mean height of each curve along the normal, which stands for the height of a plane curve. */
+  heights: number[];
+  /** Greatest distance of a curve from its mean height. */
+  deviation: number;
+  /** What is assumed, in words. */
+  assumed: string;
+}
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "order" | "overlap" | "no-thread";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "order" | "overlap" | "no-thread" | "flat" | "open-sheet" | "uncapped" | "rounded";
   message: string;
   /** Of a stack: the span that the remark is about, whose lines and vertices it numbers. */
   span?: number;
@@ -203,6 +227,8 @@ export interface Match {
   knots?: number[];
   /** Of a stack alone: the parameters of every thread on every curve, ascending beyond the ends of the domains; empty unless `ok`. */
   threads?: number[][];
+  /** Of curves in space. */
+  projection?: Projection;
 }
 
 export interface MatchOptions {
@@ -261,13 +287,55 @@ export interface Stage {
   points: Point[];
 }
 
-/** The quadrilateral between two ruling lines and two stages. */
+/** The quadrilateral between two ruling lines and two stages: a bilinear patch. */
 export interface UnitCell {
   line: number;
   stage: number;
+  /** Along the line to the next stage, then on the next line back: counter-clockwise where the first curve is the inner one. */
   corners: [Point, Point, Point, Point];
-  /** Mean fraction of each material. */
+  /** In the square of the unit; parts that are turned over against the band as a whole count as negative. */
+  area: number;
+  /** Centre of the area; of a folded cell the mean of the corners. */
+  centroid: Point;
+  /** Mean fraction of each material over the area; of a folded cell over the corners. */
   fractions: number[];
+  /** Whether the cell is turned over, in part or as a whole. */
+  folded: boolean;
+}
+
+/** What a band holds of one material. */
+export interface MaterialAmount {
+  name: string;
+  /** Whether it is empty space. */
+  void: boolean;
+  /** Integral of its fraction over the area, in the square of the unit. */
+  amount: number;
+  /** Share of the whole band, empty space included. */
+  share: number;
+}
+
+/** Areas in the plane, of curves at different heights those of the projection, in the square of the unit. */
+export interface Amounts {
+  /** The unit of the document. */
+  unit: string;
+  /** Area of the band between the curves themselves. */
+  area: number;
+  /** The same without what is empty space. */
+  body: number;
+  /** Estimated error of the area and of every amount. */
+  error: number;
+  materials: MaterialAmount[];
+  /** The same in the unit cells, whose sides are chords of the curves. */
+  cells: {
+    area: number;
+    amounts: number[];
+    /** Largest difference of the area or an amount from the exact one. */
+    difference: number;
+    /** Number of lines from which to the next one the band is turned over, at least in part. */
+    folded: number;
+  };
+  /** Difference of the heights of the curves. */
+  rise: number;
 }
 
 /** The lines that part the places with at least a fraction of one material from the others. */
@@ -403,6 +471,10 @@ export interface Progress {
   done: boolean;
   /** Of a job that paints, when it is done. */
   picture?: Picture;
+  /** Of a job that builds a solid, when it is done. */
+  solid?: Solid;
+  /** Of a job that writes a file, when it is done. */
+  file?: Uint8Array;
 }
 
 /** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
@@ -491,6 +563,79 @@ export interface MorphPaths {
   fractions: [number[][], number[][]];
 }
 
+export interface SolidOptions {
+  /** Number of steps from curve to curve, 1 to 200. Default: that of the document. */
+  stages?: number;
+  /** Whether the rims of closed curves get caps. Default true. */
+  caps?: boolean;
+  /**
+   * What the colours say: the mix of materials, the fraction of one by its index, the twist of the ruling lines, or the angle between the normals of
+   * the surface at both ends of a line. Default `material`.
+   */
+  color?: "material" | { material: number } | "twist" | "flank";
+}
+
+export interface SolidFileOptions extends SolidOptions {
+  /** Binary STL; binary PLY with colours and fractions; OBJ with groups and colours. */
+  format: "stl" | "ply" | "obj";
+}
+
+/** What a job does besides solving: one thing at most. */
+export interface JobOptions extends MatchOptions {
+  paint?: PictureOptions;
+  solid?: SolidOptions;
+  solidFile?: SolidFileOptions;
+  greedy?: boolean;
+}
+
+/** Triangles of one part of a solid. */
+export interface SolidGroup {
+  name: "surface" | "cap";
+  /** Of a cap: the number of its curve. */
+  curve?: number;
+  /** Of the first one in `indices`. */
+  start: number;
+  /** In `indices`. */
+  count: number;
+}
+
+/** The ruled surface of a document in space, in the unit of the document, z up; empty where there is none. */
+export interface Solid {
+  /** Whether the matching is complete and there is a surface, which is watertight unless it is open or caps were not asked for. */
+  ok: boolean;
+  diagnostics: Diagnostic[];
+  /** Three numbers a vertex. Vertices at creases and rims are there once for each side. */
+  positions: Float32Array;
+  /** Three numbers a vertex: unit normals, outwards. */
+  normals: Float32Array;
+  /** Four numbers a vertex: sRGB and 255. */
+  colors: Uint8Array;
+  /** As many numbers a vertex as there are materials. */
+  fractions: Float32Array;
+  /** With the colours `twist` and `flank`: degrees at each vertex. */
+  scalar: Float32Array | null;
+  /** What the ends of the map of colours stand for: fractions or degrees; null with the colours `material`. */
+  range: [number, number] | null;
+  /** Three vertices a triangle, counter-clockwise from outside. */
+  indices: Uint32Array;
+  groups: SolidGroup[];
+  /** Six numbers a line of the matching: its ends on the first and the second curve. */
+  rulings: Float32Array;
+  /** In-between curves j = 0 to M from the first curve on: polylines x, y, z over all rulings, closed between closed curves. */
+  stages: Float32Array[];
+  /** The two curves, as such polylines. */
+  curves: Float32Array[];
+  /** null where there is no surface. */
+  bounds: { min: [number, number, number]; max: [number, number, number] } | null;
+  /** Whether every edge belongs to two triangles that run along it in opposite directions, where vertices with the same position are one. */
+  watertight: boolean;
+  /** Volume inside; null unless `watertight`. */
+  volume: number | null;
+  area: number;
+  /** Of curves in space; else null. */
+  projection: Projection | null;
+}
+
 /** The functions of a module. All throw `DirectrixError`. */
 export interface Directrix {
   match(document: DocumentInput, options?: MatchOptions): Match;
@@ -519,8 +664,22 @@ export interface Directrix {
    * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
    */
   morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
-  /** With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for. */
-  job(document: DocumentInput, options?: MatchOptions & { paint?: PictureOptions; greedy?: boolean }): Job;
+  /**
+   * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
+   */
+  amounts(document: DocumentInput): Amounts | null;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  solid(document: DocumentInput, options?: SolidOptions): Solid;
+  /**
+   * The bytes of a file of the solid. Throws with the code `no-solid` where there is none. In the module `full` alone; that of `figure` throws with
+   * the code `not-in-module`.
+   */
+  solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
+  /**
+   * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
+   * these functions.
+   */
+  job(document: DocumentInput, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {
@@ -581,7 +740,7 @@ export interface Link {
   /** The address of a document, from which it is fetched once a person agrees. */
   url?: string;
   /** Default `figure`. */
-  view?: "figure" | "steps" | "compare";
+  view?: "figure" | "steps" | "compare" | "solid";
   /** Of the view `steps`: a whole number from 1. */
   step?: number;
   /** Default `full`. */
@@ -607,6 +766,7 @@ export type ErrorCode =
   | "zero-length"
   | "self-intersection"
   | "contact"
+  | "no-solid"
   | "not-in-module"
   | "link"
   | "trap"

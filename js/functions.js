@@ -17,4 +17,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "readShapes",
   "fitCurve",
   "morphPaths",
+  "amounts",
+  "solid",
+  "solidFile",
 ]);

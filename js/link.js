@@ -40,7 +40,7 @@ export const KEYS = Object.freeze({
   s: { read: decodeDocument },
   preset: { read: presetName },
   url: { read: webAddress },
-  view: words("figure", "steps", "compare"),
+  view: words("figure", "steps", "compare", "solid"),
   step: { read: stepNumber },
   controls: words("full", "minimal", "none"),
   theme: words("auto", "light", "dark"),

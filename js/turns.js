@@ -13,7 +13,7 @@ const GREEDY = new Set(["steps", "sets"]);
 /** @typedef {{ name: import("./connect.js").Name, args: any[] }} Call */
 
 /**
- * Solves the document of a call in steps; a picture is painted in steps as well.
+ * Solves the document of a call in steps; a picture is painted, and a solid is built, in steps as well.
  *
  * @param {import("./directrix.js").Directrix} dx
  * @param {Call} call
@@ -26,7 +26,7 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
   const [first, ...rest] = args;
   if (UNSOLVED.has(name)) return { value: /** @type {any} */ (dx)[name](...args), spent: 0 };
   const text = toText(first);
-  const job = dx.job(text, name === "paint" ? { paint: rest[0] } : name === "match" ? rest[0] : { greedy: GREEDY.has(name) });
+  const job = dx.job(text, goal(name, rest[0]));
   let spent = 0;
   const step = () => {
     const start = performance.now();
@@ -40,7 +40,20 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
     await nextMessage();
     if (!isWanted()) return null;
   }
-  return { value: state.picture ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
+  return { value: state.picture ?? state.solid ?? state.file ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
+}
+
+/**
+ * What the job of a call is to do.
+ *
+ * @param {Call["name"]} name
+ * @param {any} options
+ */
+function goal(name, options) {
+  if (name === "paint") return { paint: options };
+  if (name === "solid") return { solid: options ?? {} };
+  if (name === "solidFile") return { solidFile: options };
+  return name === "match" ? options : { greedy: GREEDY.has(name) };
 }
 
 /** @type {MessageChannel | undefined} */

@@ -1,6 +1,6 @@
 /**
  * `npm run bench`: measures the cases of `bench/*.mjs` with the optimised WebAssembly module in Node and prints one table, then
- * those of `bench/tables`. `npm run bench -- TEXT` takes the cases and tables whose name holds the text. A budget that is missed
+ * those of `bench/tables`, some of which watch the page in a browser. `npm run bench -- TEXT` takes the cases and tables whose name holds the text. A budget that is missed
  * is shown, and fails nothing: timings depend on what else the machine does.
  */
 import { readdir } from "node:fs/promises";
@@ -9,6 +9,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { measure } from "./lib/bench.mjs";
 import { moduleSteps } from "./lib/modules.mjs";
+import { pageSteps } from "./lib/page.mjs";
 import { root } from "./lib/paths.mjs";
 import { build } from "./lib/steps.mjs";
 
@@ -64,5 +65,5 @@ async function bench() {
   }
 }
 
-if (await build(moduleSteps({ optimised: true }))) await bench();
+if (await build([...moduleSteps({ optimised: true }), ...pageSteps])) await bench();
 else process.exitCode = 1;

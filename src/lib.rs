@@ -110,6 +110,8 @@ pub mod matching;
 pub mod morph;
 #[cfg(feature = "curves")]
 pub mod picture;
+#[cfg(feature = "solid")]
+pub mod solid;
 
 #[cfg(all(feature = "curves", target_arch = "wasm32"))]
 mod wasm;

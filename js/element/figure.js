@@ -32,7 +32,7 @@ const CHOICES = {
   controls: ["full", "minimal", "none"],
   theme: ["auto", "light", "dark"],
   reveal: ["auto", "interaction"],
-  view: ["figure", "steps", "compare"],
+  view: ["figure", "steps", "compare", "solid"],
 };
 
 /** A module with one instruction of SIMD. */
@@ -504,7 +504,7 @@ export class DirectrixFigure extends Base {
     if (!state) return;
     const { writeLink } = await import("../link.js");
     const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const view = /** @type {"figure" | "steps" | "compare"} */ (this.#view);
+    const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#view);
     editor.hash = writeLink({
       document: state,
       ...(view === "figure" ? {} : { view }),

@@ -104,6 +104,12 @@ impl BSpline {
         Self { degree, form, control: points, knots }
     }
 
+    /// The curve with the same knots through as many other control points, which are not checked.
+    #[cfg(feature = "solid")]
+    pub(crate) fn with_points(&self, points: Vec<DVec2>) -> Self {
+        Self::from_checked(self.degree, self.form, points, self.knots.clone())
+    }
+
     /// Degree of the polynomial pieces.
     #[must_use]
     pub fn degree(&self) -> usize {

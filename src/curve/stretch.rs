@@ -30,14 +30,15 @@ impl BSpline {
         ends.iter().map(&mut stretch).collect()
     }
 
-    /// The knots from `start` to one lap beyond it, ascending and without repetition; `start` itself is not among them.
+    /// The knots, and the parameters `more`, from `start` to one lap beyond it, ascending and without repetition; `start` itself is not
+    /// among them.
     #[must_use]
-    pub fn knots_from(&self, start: f64) -> Vec<f64> {
+    pub fn marks_from(&self, start: f64, more: &[f64]) -> Vec<f64> {
         let (lo, hi) = self.domain();
         let inner = &self.knots()[self.degree()..self.knots().len() - self.degree() - 1];
         let ahead = |knot: f64| start + (knot - start).rem_euclid(hi - lo);
         let mut knots: Vec<f64> =
-            inner.iter().map(|&knot| ahead(knot)).filter(|&knot| knot > start).collect();
+            inner.iter().chain(more).map(|&knot| ahead(knot)).filter(|&knot| knot > start).collect();
         knots.sort_by(f64::total_cmp);
         knots.dedup();
         knots
@@ -57,7 +58,7 @@ mod tests {
         for degree in [2, 3, 5] {
             let curve = BSpline::new(degree, Form::Periodic, points.clone(), None).unwrap();
             let start = -0.3;
-            let mut ends = curve.knots_from(start);
+            let mut ends = curve.marks_from(start, &[]);
             assert_eq!(ends.len(), 7);
             ends.insert(0, start);
             ends.push(start + 1.0);

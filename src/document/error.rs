@@ -36,11 +36,13 @@ pub enum Code {
     SelfIntersection,
     /// Two curves of the same height that meet.
     Contact,
+    /// Curves that enclose no solid.
+    NoSolid,
 }
 
 impl Code {
     /// Every code, in the order of `docs/api.md`.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Syntax,
         Self::Missing,
         Self::UnknownField,
@@ -56,6 +58,7 @@ impl Code {
         Self::ZeroLength,
         Self::SelfIntersection,
         Self::Contact,
+        Self::NoSolid,
     ];
 
     /// The code as it crosses the boundary.
@@ -77,6 +80,7 @@ impl Code {
             Self::ZeroLength => "zero-length",
             Self::SelfIntersection => "self-intersection",
             Self::Contact => "contact",
+            Self::NoSolid => "no-solid",
         }
     }
 }

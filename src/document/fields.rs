@@ -6,7 +6,7 @@ use super::schema::{
     LARGEST, LayerName, MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy,
     PrintedRule, SMALLEST, Sampling, SamplingScheme, Shift, View,
 };
-use super::{Code, DocumentError};
+use super::{Code, ControlPoints, DocumentError};
 use crate::curve::Fineness;
 
 type Read<T> = Result<T, DocumentError>;
@@ -83,6 +83,8 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     for (number, item) in items.iter().enumerate() {
         curves.push(curve(item, &pure(number.min(materials - 1), materials))?);
     }
+    #[cfg(feature = "solid")]
+    same_space(&items, &curves)?;
     Ok(curves)
 }
 
@@ -100,6 +102,28 @@ fn all_open(curves: &[CurveSpec]) -> Read<bool> {
     Ok(first)
 }
 
+/// Refuses plane curves beside curves in space, and heights of the latter.
+#[cfg(feature = "solid")]
+fn same_space(items: &[Node<'_>], curves: &[CurveSpec]) -> Read<()> {
+    let is_in_space = |curve: &CurveSpec| curve.points.in_space().is_some();
+    let first = curves.first().is_some_and(is_in_space);
+    for (item, curve) in items.iter().zip(curves) {
+        if is_in_space(curve) != first {
+            let [found, expected] = if first { [2, 3] } else { [3, 2] };
+            let message = format!(
+                "points of {found} coordinates were found; expected {expected}, as the first curve has"
+            );
+            return Err(item.need("points")?.error(Code::Type, message));
+        }
+        if first && curve.height != 0.0 {
+            let message =
+                format!("{} was found; expected 0, because the points have a z of their own", curve.height);
+            return Err(item.need("height")?.error(Code::Range, message));
+        }
+    }
+    Ok(())
+}
+
 /// The composition of one material alone, all along a curve.
 fn pure(material: usize, materials: usize) -> Vec<CompositionKey> {
     let mix = (0..materials).map(|k| if k == material { 1.0 } else { 0.0 }).collect();
@@ -114,10 +138,7 @@ fn curve(node: &Node<'_>, own: &[CompositionKey]) -> Read<CurveSpec> {
         1 => CurveForm::Clamped,
         _ => CurveForm::Open,
     };
-    let mut points = Vec::new();
-    for point in node.need("points")?.items()? {
-        points.push(point.pair()?);
-    }
+    let points = ControlPoints::read(&node.need("points")?)?;
     Ok(CurveSpec {
         name: node.get("name")?.map(|n| n.text(100)).transpose()?,
         degree: node.need("degree")?.count()?,

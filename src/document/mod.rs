@@ -4,6 +4,9 @@
 //! [`CurvesDocument`] or says which field is wrong; [`Model`] holds its curves ready for evaluation; [`Solve`] is
 //! the job that matches them. The format itself is described in `docs/format.md`.
 
+#[cfg(feature = "amounts")]
+mod amounts;
+mod control_points;
 mod diagnostic;
 mod direction;
 mod error;
@@ -16,13 +19,26 @@ mod model;
 mod node;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "solid")]
+mod projection;
 mod read;
 mod schema;
+#[cfg(feature = "solid")]
+mod solid;
+#[cfg(feature = "solid")]
+mod solid_job;
+#[cfg(feature = "solid")]
+mod solid_options;
 mod solve;
+#[cfg(feature = "solid")]
+mod space;
 #[cfg(feature = "stack")]
 mod stack;
 mod work;
 
+#[cfg(feature = "amounts")]
+pub use amounts::{BandAmounts, amounts};
+pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
@@ -34,6 +50,8 @@ pub use model::Model;
 pub(crate) use node::Node;
 #[cfg(feature = "paths")]
 pub use paths::{PathOptions, paths};
+#[cfg(feature = "solid")]
+pub use projection::Projection;
 pub use read::{LONGEST_TEXT, check_length, read};
 #[cfg(not(target_arch = "wasm32"))]
 pub use read::{read_text, write_text};
@@ -42,6 +60,12 @@ pub use schema::{
     MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule, Sampling,
     SamplingScheme, Shift, View,
 };
+#[cfg(feature = "solid")]
+pub use solid::{Solid, SolidRemark, flat, why_no_solid};
+#[cfg(feature = "solid")]
+pub use solid_job::{MOST_VERTICES, SolidJob};
+#[cfg(feature = "solid")]
+pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};
 #[cfg(feature = "stack")]
 pub use stack::{Stacked, span_document};

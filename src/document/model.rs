@@ -4,6 +4,8 @@ use super::schema::{
     BLANK, CurveForm, CurveSpec, EndRule, Method, NegativeMode, PrintedRule, SamplingScheme,
 };
 use super::{Code, CurvesDocument, DocumentError};
+#[cfg(feature = "solid")]
+use super::{Projection, projection::projected};
 use crate::curve::{BSpline, CurveError, Form, Samples, Scheme, sample, sample_adaptively};
 use crate::geom::{Bounds, ShownPlace};
 use crate::matching::{Ends, NegativeProducts, Weights};
@@ -23,6 +25,8 @@ pub struct Model {
     pins: Vec<(usize, usize)>,
     profiles: Vec<Profile>,
     materials: Vec<Material>,
+    #[cfg(feature = "solid")]
+    projection: Option<Projection>,
 }
 
 impl Model {
@@ -32,6 +36,8 @@ impl Model {
     /// When a curve, a colour or a composition is not valid, with the path of the field. Curves that meet themselves or
     /// each other are built; [`fault`](Self::fault) tells.
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
+        #[cfg(feature = "solid")]
+        let (document, projection) = projected(document)?;
         let materials = materials(&document)?;
         let (mut curves, mut reversed, mut profiles) = (Vec::new(), Vec::new(), Vec::new());
         for (k, spec) in document.curves.iter().enumerate() {
@@ -58,7 +64,18 @@ impl Model {
         } else {
             pins(&document, &curves, &reversed, &mut samples)
         };
-        Ok(Self { curves, reversed, samples, coarse, pins, profiles, materials, document })
+        Ok(Self {
+            curves,
+            reversed,
+            samples,
+            coarse,
+            pins,
+            profiles,
+            materials,
+            document,
+            #[cfg(feature = "solid")]
+            projection,
+        })
     }
 
     /// Reverses an open curve.
@@ -75,7 +92,23 @@ impl Model {
         }
     }
 
-    /// The document.
+    /// How curves in space are seen in the plane; `None` of plane curves.
+    #[cfg(feature = "solid")]
+    #[must_use]
+    pub fn projection(&self) -> Option<&Projection> {
+        self.projection.as_ref()
+    }
+
+    /// Where the geometry of curves in space is spoken of, as the beginning of a sentence.
+    fn seen(&self) -> &'static str {
+        #[cfg(feature = "solid")]
+        if self.projection.is_some() {
+            return "as they are seen on the plane that fits them best, ";
+        }
+        ""
+    }
+
+    /// The document; of one with curves in space its projection on a plane.
     #[must_use]
     pub fn document(&self) -> &CurvesDocument {
         &self.document
@@ -163,6 +196,15 @@ impl Model {
         self.profiles[curve].at(if drawn < 1.0 { drawn } else { 0.0 })
     }
 
+    /// Parameters of the keys of the composition along a curve, between which it is linear.
+    #[cfg(feature = "amounts")]
+    #[must_use]
+    pub fn key_parameters(&self, curve: usize) -> Vec<f64> {
+        let (lo, hi) = self.curves[curve].domain();
+        let oriented = |at: f64| if self.reversed[curve] { 1.0 - at } else { at };
+        self.profiles[curve].keys().iter().map(|&(at, _)| lo + oriented(at) * (hi - lo)).collect()
+    }
+
     /// What becomes of the ends of open curves; `None` for closed ones.
     #[must_use]
     pub fn ends(&self) -> Option<Ends> {
@@ -201,7 +243,11 @@ impl Model {
             }
             _ => "a simple curve",
         };
-        let message = format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
+        let message = format!(
+            "{}the curve meets itself near {}; expected {expected}",
+            self.seen(),
+            ShownPlace(meeting.at)
+        );
         let error = DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
         Some(error.with_place(meeting.at))
     }
@@ -213,11 +259,11 @@ impl Model {
             return None;
         }
         let meeting = self.curves[i].contact(&self.curves[j])?;
-        let near = ShownPlace(meeting.at);
+        let (seen, near) = (self.seen(), ShownPlace(meeting.at));
         let message = if cfg!(feature = "stack") && curves.len() > 2 {
-            format!("the curve meets curve {i} near {near}; expected curves that keep apart")
+            format!("{seen}the curve meets curve {i} near {near}; expected curves that keep apart")
         } else {
-            format!("the two curves meet near {near}; expected curves that keep apart")
+            format!("{seen}the two curves meet near {near}; expected curves that keep apart")
         };
         Some(DocumentError::new(Code::Contact, format!("curves[{j}].points"), message).with_place(meeting.at))
     }

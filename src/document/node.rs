@@ -68,6 +68,27 @@ impl<'a> Node<'a> {
         }
     }
 
+    /// Tells whether the value is a list of so many items.
+    #[cfg(feature = "solid")]
+    pub(crate) fn has_length(&self, length: usize) -> bool {
+        matches!(self.value, Json::List(values) if values.len() == length)
+    }
+
+    /// Three numbers in a range.
+    #[cfg(feature = "solid")]
+    pub(crate) fn triple(&self, range: RangeInclusive<f64>) -> Result<[f64; 3], DocumentError> {
+        match self.value {
+            Json::List(values) if values.len() == 3 => {
+                let number = |index: usize| {
+                    let node = Node { value: &values[index], place: Place::Index(self, index) };
+                    node.within(range.clone())
+                };
+                Ok([number(0)?, number(1)?, number(2)?])
+            }
+            _ => Err(self.expected("three numbers")),
+        }
+    }
+
     /// A finite number.
     pub(crate) fn number(&self) -> Result<f64, DocumentError> {
         let Json::Number(number) = *self.value else { return Err(self.expected("a number")) };
@@ -171,7 +192,7 @@ impl<'a> Node<'a> {
     }
 
     /// Tells whether the value is an object.
-    #[cfg(feature = "import")]
+    #[cfg(any(feature = "import", feature = "solid"))]
     pub(crate) fn is_object(&self) -> bool {
         matches!(self.value, Json::Object(_))
     }

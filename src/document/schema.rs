@@ -2,6 +2,7 @@
 //!
 //! Only what this release computes has a place here; values of the format that come later are refused while reading.
 
+use super::ControlPoints;
 use crate::curve::Fineness;
 use crate::geom::Bounds;
 use glam::DVec2;
@@ -79,7 +80,7 @@ pub struct MaterialSpec {
     pub void: bool,
 }
 
-/// A planar B-spline.
+/// A B-spline, in a plane or in space.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CurveSpec {
@@ -90,8 +91,8 @@ pub struct CurveSpec {
     pub degree: usize,
     /// Whether and how the control points close.
     pub form: CurveForm,
-    /// Control points [x, y].
-    pub points: Vec<[f64; 2]>,
+    /// Control points.
+    pub points: ControlPoints,
     /// Knots; uniform on [0, 1] when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub knots: Option<Vec<f64>>,
@@ -466,7 +467,7 @@ impl Sampling {
     pub fn fineness(&self, curves: &[CurveSpec]) -> Fineness {
         let size = || {
             let points = curves.iter().flat_map(|curve| curve.points.iter().copied().map(DVec2::from));
-            Bounds::of(points).map_or(BLANK, Bounds::diagonal)
+            Bounds::of(points).map_or(BLANK, |bounds| across(bounds.diagonal(), curves))
         };
         Fineness {
             tolerance: self.tolerance.unwrap_or_else(|| (1e-3 * size()).clamp(SMALLEST, LARGEST)),
@@ -474,6 +475,20 @@ impl Sampling {
             min_count: self.min_count.unwrap_or(12),
         }
     }
+}
+
+/// Diagonal of the box of all control points, given that of its first two sides.
+#[cfg(feature = "solid")]
+fn across(diagonal: f64, curves: &[CurveSpec]) -> f64 {
+    let points = curves.iter().filter_map(|curve| curve.points.in_space()).flatten();
+    let ends = points.map(|point| (point.z, point.z)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+    ends.map_or(diagonal, |(low, high)| diagonal.hypot(high - low))
+}
+
+/// Plane curves alone are read here.
+#[cfg(not(feature = "solid"))]
+fn across(diagonal: f64, _: &[CurveSpec]) -> f64 {
+    diagonal
 }
 
 impl Default for Blend {

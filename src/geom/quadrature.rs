@@ -44,6 +44,11 @@ impl GaussLegendre {
         let (middle, half) = ((a + b) / 2.0, (b - a) / 2.0);
         half * self.nodes.iter().map(|&(x, weight)| weight * f(middle + half * x)).sum::<f64>()
     }
+
+    /// Places between 0 and 1 with their weights, whose sum is 1.
+    pub fn places(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.nodes.iter().map(|&(x, weight)| ((1.0 + x) / 2.0, weight / 2.0))
+    }
 }
 
 /// Value and derivative of the Legendre polynomial of the given degree at `x` in (-1, 1).

@@ -6,52 +6,7 @@ use super::path::{Path, PathFinder, Rule, lines_of};
 use super::pins::pinned_paths;
 use super::rounds::Rounds;
 use super::stretch::shortest_stretch;
-use super::{Greedy, Problem, RulingLine, Stretch};
-use std::fmt;
-
-/// What the exact solver maximises over all sets of visible lines that leave no vertex without a line and do not cross.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Objective {
-    /// J: the integral of f along the matching, by the trapezoid rule; independent of the number of lines.
-    #[default]
-    Integral,
-    /// The sum of f. With positive values it saturates at as many lines as there are vertices in all.
-    Sum,
-    /// The sum of f less a price for every line.
-    SumLessPrice(f64),
-}
-
-impl Objective {
-    pub(super) fn rule(self) -> Rule {
-        match self {
-            Self::Integral => Rule::Cover { cells: 0.0, steps: 1.0, price: 0.0 },
-            Self::Sum => Rule::Cover { cells: 1.0, steps: 0.0, price: 0.0 },
-            Self::SumLessPrice(price) => Rule::Cover { cells: 1.0, steps: 0.0, price },
-        }
-    }
-}
-
-/// What the exact solver does when visible lines cannot reach every vertex.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Policy {
-    /// It says why.
-    #[default]
-    Strict,
-    /// It adds as few occluded lines as possible (for J, as little occluded arc length), then maximises the objective. The
-    /// lines still ascend together round the band, but occluded ones may cross others.
-    Repair,
-}
-
-/// How to solve exactly.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ExactOptions {
-    /// What to maximise.
-    pub objective: Objective,
-    /// What to do when visible lines cannot reach every vertex.
-    pub policy: Policy,
-    /// Lines that the matching must hold, by their vertices on the first and the second outline.
-    pub pins: Vec<(usize, usize)>,
-}
+use super::{ExactOptions, Greedy, Objective, Obstacle, Policy, Problem, RulingLine};
 
 /// The best matching of its kind.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,69 +30,6 @@ pub struct Infeasible {
     pub obstacle: Obstacle,
     /// Greatest value of a visible line at each vertex, as in [`Optimum::best`].
     pub best: [Vec<f64>; 2],
-}
-
-/// What stands in the way of a matching.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Obstacle {
-    /// A pin names a vertex that does not exist.
-    NoSuchVertex {
-        /// Index of the pin.
-        pin: usize,
-    },
-    /// The line of a pin meets a polygon.
-    PinBlocked {
-        /// Index of the pin.
-        pin: usize,
-    },
-    /// The lines of two pins cross.
-    PinsCross {
-        /// Indices of the pins, ascending.
-        pins: [usize; 2],
-    },
-    /// The vertices from one pin to the next cannot all have lines, although without pins they can.
-    NoRoom {
-        /// Indices of the two pins in cyclic order, equal when there is one pin.
-        pins: [usize; 2],
-    },
-    /// The line that joins the first ends of open outlines, or the last ones, meets an outline.
-    EndBlocked {
-        /// Whether it is that of the last ends.
-        last: bool,
-    },
-    /// The lines that join the ends of open outlines cross.
-    EndsCross,
-    /// Some vertices see no vertex of the other outline.
-    Orphans,
-    /// Each vertex sees some, but a stretch of neighbours cannot all have lines at once.
-    Jammed(Stretch),
-}
-
-impl fmt::Display for Obstacle {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NoSuchVertex { pin } => write!(f, "pin {pin} names a vertex that does not exist"),
-            Self::PinBlocked { pin } => write!(f, "the line of pin {pin} meets a curve"),
-            Self::PinsCross { pins: [i, k] } => write!(f, "the lines of pins {i} and {k} cross"),
-            Self::NoRoom { pins: [i, k] } if i == k => {
-                write!(f, "no matching holds pin {i}: not every vertex can have a line beside it")
-            }
-            Self::NoRoom { pins: [i, k] } => {
-                write!(f, "no matching holds pins {i} and {k}: not every vertex between them can have a line")
-            }
-            Self::EndBlocked { last } => write!(
-                f,
-                "the line that joins the {} of the curves meets a curve",
-                if last { "ends" } else { "starts" }
-            ),
-            Self::EndsCross => write!(f, "the lines that join the starts and the ends of the curves cross"),
-            Self::Orphans => write!(f, "some vertices see no vertex of the other curve"),
-            Self::Jammed(Stretch { outline, first, count }) => write!(
-                f,
-                "the {count} vertices of curve {outline} from vertex {first} on cannot all have lines at once"
-            ),
-        }
-    }
 }
 
 /// Solves exactly, in one go; the same as running [`Exact`] to its end.

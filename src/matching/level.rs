@@ -1,6 +1,6 @@
 //! The search for the best path on one level of a refinement.
 
-use super::exact::Objective;
+use super::Objective;
 use super::lattice::Survey;
 use super::path::{Path, PathFinder, lines_of};
 use super::place::places_of;
@@ -50,15 +50,12 @@ impl Level {
         Some(rounds.best().cloned())
     }
 
-    /// What a path found on this level gives after a level with the integral `before`: its lines, the correspondence, and whether the
-    /// integral has stopped changing.
-    pub(super) fn end(self, path: &Path, before: Option<f64>) -> (Vec<RulingLine>, Refined, bool) {
-        let integral = path.value;
-        let change = before.map(|before| ((integral - before) / integral).abs());
+    /// What a path found on this level gives: its lines and the correspondence, which does not know yet by how much J changed.
+    pub(super) fn end(self, path: &Path) -> (Vec<RulingLine>, Refined) {
         let lines = lines_of(self.survey.lattice(), path.cells());
         let places = places_of(&self.problem, &lines);
         let has_fans = has_fans(&self.problem, &lines, &places);
-        let refined = Refined { integral, change, places, has_fans, problem: self.problem };
-        (lines, refined, change.is_some_and(|change| change < SMALL_CHANGE))
+        let refined = Refined { integral: path.value, change: None, places, has_fans, problem: self.problem };
+        (lines, refined)
     }
 }

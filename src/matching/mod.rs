@@ -13,6 +13,7 @@
 //! [`OnePerVertex`], [`best_shift`], [`irredundant`] and [`best_mean`] are there for comparison.
 
 mod chain;
+mod course;
 mod details;
 mod even;
 mod even_open;
@@ -20,13 +21,17 @@ mod exact;
 mod greedy;
 mod insert;
 mod irredundant;
+mod join;
 mod keep;
 mod lattice;
 mod level;
 mod mean;
 mod measure;
+mod objective;
+mod obstacle;
 mod outline;
 mod parts;
+mod passes;
 mod path;
 mod pins;
 mod place;
@@ -50,13 +55,15 @@ mod visibility;
 
 pub use details::{Details, details, integral_on_curves};
 pub use even::hold_places;
-pub use exact::{Exact, ExactOptions, Infeasible, Objective, Obstacle, Optimum, Policy, exact};
+pub use exact::{Exact, Infeasible, Optimum, exact};
 pub use greedy::{Greedy, Matching, Printed, RulingLine, greedy};
 pub use insert::{FailedGap, Inserted, Insertion, OneToOne};
 pub use irredundant::irredundant;
 pub use keep::Spread;
 pub use mean::best_mean;
 pub use measure::{Bound, Totals, broken, left_out, measure};
+pub use objective::{ExactOptions, Objective, Policy};
+pub use obstacle::Obstacle;
 pub use outline::Outline;
 pub use place::{Placing, places_of, places_of_pairs};
 pub use problem::{Ends, Layout, Problem, ProblemError};

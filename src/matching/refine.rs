@@ -1,9 +1,10 @@
 //! The optimum of J on the curves themselves.
 
+use super::course::Course;
 use super::even::spread_evenly;
 use super::even_open::spread_between;
 use super::lattice::Survey;
-use super::level::Level;
+use super::level::{Level, SMALL_CHANGE};
 use super::path::{Path, PathFinder};
 use super::place::end_at;
 use super::refine_open::RefineOpen;
@@ -33,7 +34,8 @@ const FAN_SLOPE: f64 = 16.0;
 pub struct Refined {
     /// J* by the trapezoid rule on the last level.
     pub integral: f64,
-    /// Relative change of J* at the last doubling of the samples; `None` when there was only one level.
+    /// Relative change of J* at the last doubling of the samples, where stretches that had stopped changing are not doubled again and count by
+    /// the change when they were; `None` when there was only one level.
     pub change: Option<f64>,
     /// The correspondence once round: places in shares of arc length on both curves, ascending together, weakly, straight between
     /// one and the next. The first again, one lap on, is not repeated.
@@ -43,6 +45,13 @@ pub struct Refined {
     pub has_fans: bool,
     /// The samples of the last level, between which every straight piece of the correspondence is a visible line.
     pub problem: Problem,
+}
+
+impl Refined {
+    /// Tells whether J* has stopped changing.
+    pub(super) fn has_settled(&self) -> bool {
+        self.change.is_some_and(|change| change < SMALL_CHANGE)
+    }
 }
 
 /// Places `count` lines evenly along a correspondence of two curves, strictly one to one; `fineness` is the step, in shares of arc
@@ -87,7 +96,8 @@ pub fn even_places(
 ///
 /// J is the integral of f over mu, the mean of the shares of arc length on both curves. The best closed path on a lattice of samples, dense
 /// where the curves bend, is found exactly; then every edge between samples is cut, in two or, beside a fan, in up to eight, and the best path is
-/// sought beside the last one, again and again, until J changes by less than a ten-thousandth. A corner is two samples, one for each
+/// sought beside the last one, again and again, until J changes by less than a ten-thousandth. After the third level only where J still
+/// changes: what stopped changing, by less than half of that all together, stays as it is. A corner is two samples, one for each
 /// side of it: a fan keeps to one side, so that J* is the supremum over one-to-one correspondences, to which the normal at the
 /// corner itself, a single point, counts for nothing. The error falls with the square of the number of samples.
 #[derive(Debug)]
@@ -109,6 +119,7 @@ pub struct Refine {
 struct Last {
     path: Path,
     lines: Vec<RulingLine>,
+    course: Course,
     refined: Refined,
 }
 
@@ -160,15 +171,20 @@ impl Refine {
             self.level = (wider <= WIDEST).then(|| self.next_level(wider)).flatten();
             return self.level.is_none();
         };
-        let before = self.last.as_ref().map(|last| last.refined.integral);
-        let (lines, refined, has_ended) = level.end(&path, before);
-        self.last = Some(Last { path, lines, refined });
+        let (lines, mut refined) = level.end(&path);
+        let course = match &self.last {
+            None => Course::new(&lines, &refined.places),
+            Some(last) => last.course.next(&lines, &refined.places),
+        };
+        refined.change = course.change();
+        let has_ended = refined.has_settled();
+        self.last = Some(Last { path, lines, course, refined });
         has_ended
     }
 
     /// The level after the last one; `None` when there is none or its samples cannot be matched.
     fn next_level(&mut self, width: i64) -> Option<Level> {
-        let Some(Last { path, lines, refined: Refined { problem, .. } }) = &self.last else {
+        let Some(Last { path, lines, course, refined: Refined { problem, places, .. } }) = &self.last else {
             let outlines = self.spacings.each_ref().map(|spacing| spacing.outline(FIRST_COUNT));
             let problem = Problem::new(outlines, self.weights, self.gap).ok()?;
             self.width = WIDEST;
@@ -176,7 +192,7 @@ impl Refine {
             return Some(Level::new(problem, survey));
         };
         let counts = problem.counts();
-        let parts = parts(lines, counts);
+        let parts = parts(lines, &course.unsettled_vertices(lines, places, counts));
         if parts.iter().any(|parts| parts.iter().sum::<usize>() > MOST_SAMPLES) {
             return None;
         }
@@ -209,19 +225,21 @@ pub(super) fn has_fans(problem: &Problem, lines: &[RulingLine], places: &[[f64; 
     })
 }
 
-/// Into how many parts to cut the edge after each vertex of either outline. Beside a vertex with many lines more, so that the place of a fan
-/// is found as well as its lines are spread.
-fn parts(lines: &[RulingLine], counts: (usize, usize)) -> [Vec<usize>; 2] {
-    let mut degrees = [vec![0; counts.0], vec![0; counts.1]];
+/// Into how many parts to cut the edge after each vertex of either outline: whole where J has settled at both of its ends, and beside a
+/// vertex with many lines into more than two, so that the place of a fan is found as well as its lines are spread.
+fn parts(lines: &[RulingLine], is_unsettled: &[Vec<bool>; 2]) -> [Vec<usize>; 2] {
+    let mut degrees = is_unsettled.each_ref().map(|vertices| vec![0; vertices.len()]);
     for line in lines {
-        degrees[0][line.from] += 1;
-        degrees[1][line.to] += 1;
+        degrees[0][line.from] += usize::from(is_unsettled[0][line.from]);
+        degrees[1][line.to] += usize::from(is_unsettled[1][line.to]);
     }
     degrees.map(|degrees| {
         let next = degrees.iter().cycle().skip(1);
         let most = degrees.iter().zip(next).map(|(here, next)| *here.max(next));
         most.map(|most| {
-            if most < FAN[0] {
+            if most == 0 {
+                1
+            } else if most < FAN[0] {
                 2
             } else if most < FAN[1] {
                 4

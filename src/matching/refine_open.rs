@@ -61,7 +61,9 @@ impl RefineOpen {
     fn take(&mut self, path: Option<Path>) -> bool {
         let (Some(level), Some(path)) = (self.level.take(), path) else { return true };
         let before = self.last.as_ref().map(|last| last.1.integral);
-        let (_, refined, has_ended) = level.end(&path, before);
+        let (_, mut refined) = level.end(&path);
+        refined.change = before.map(|before| ((refined.integral - before) / refined.integral).abs());
+        let has_ended = refined.has_settled();
         self.last = Some((path, refined));
         has_ended
     }

@@ -22,7 +22,15 @@ pub struct Material {
 /// When the numbers of colours and of fractions differ.
 #[must_use]
 pub fn mix_colors(colors: &[Oklab], composition: &Composition) -> Oklab {
-    let fractions = composition.fractions();
+    mix_fractions(colors, composition.fractions())
+}
+
+/// As [`mix_colors`], for fractions that come from compositions.
+///
+/// # Panics
+/// When the numbers of colours and of fractions differ.
+#[must_use]
+pub fn mix_fractions(colors: &[Oklab], fractions: &[f64]) -> Oklab {
     assert_eq!(colors.len(), fractions.len(), "one colour for each fraction");
     let start = Oklab { l: 0.0, a: 0.0, b: 0.0 };
     colors.iter().zip(fractions).fold(start, |sum, (color, &fraction)| {

@@ -117,11 +117,13 @@ impl Profile {
         }
         let (from, a) = &self.keys[(next + count - 1) % count];
         let (to, b) = &self.keys[next % count];
-        let span = (to - from).rem_euclid(1.0);
+        // On a closed curve a single key is followed by itself; on an open one the keys on either side differ.
+        let ahead = |place: f64| if self.closed { (place - from).rem_euclid(1.0) } else { place - from };
+        let span = ahead(*to);
         if span == 0.0 {
             return a.clone();
         }
-        a.mix(b, (x - from).rem_euclid(1.0) / span)
+        a.mix(b, ahead(x) / span)
     }
 
     /// The keys, places ascending.
@@ -147,6 +149,18 @@ mod tests {
         {
             let found = profile.at(at).fractions()[0];
             assert!((found - first).abs() < 1e-12, "at {at}: {found}, expected {first}");
+        }
+    }
+
+    #[test]
+    fn an_open_profile_runs_from_end_to_end_and_is_constant_beyond_its_keys() {
+        let whole = Profile::new(vec![(0.0, two(1.0)), (1.0, two(0.0))], false).unwrap();
+        let part = Profile::new(vec![(0.25, two(1.0)), (0.75, two(0.0))], false).unwrap();
+        for (at, first, of_part) in
+            [(0.0, 1.0, 1.0), (0.125, 0.875, 1.0), (0.5, 0.5, 0.5), (0.875, 0.125, 0.0), (1.0, 0.0, 0.0)]
+        {
+            assert!((whole.at(at).fractions()[0] - first).abs() < 1e-12, "at {at}");
+            assert!((part.at(at).fractions()[0] - of_part).abs() < 1e-12, "at {at}");
         }
     }
 

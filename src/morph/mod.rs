@@ -1,7 +1,11 @@
-//! What a matching carries: the ruled band between the curves, in-between curves, unit cells, lines of equal composition.
+//! What a matching carries: the ruled band between the curves, in-between curves, unit cells, amounts of the materials, lines of equal composition.
 
+#[cfg(feature = "amounts")]
+mod amounts;
 mod band;
 mod cell;
+#[cfg(feature = "paths")]
+mod cuts;
 mod iso;
 mod locate;
 #[cfg(feature = "paths")]
@@ -9,6 +13,8 @@ mod paths;
 #[cfg(feature = "stack")]
 mod stack;
 
+#[cfg(feature = "amounts")]
+pub use amounts::{Amounts, amounts, cell_amounts};
 pub use band::{Band, Ruling};
 pub use cell::{UnitCell, unit_cells};
 pub use iso::IsoLine;

@@ -1,9 +1,9 @@
 //! The picture of a solved document.
 
-use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport, viridis};
+use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport};
 use crate::curve::BSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
-use crate::material::{Oklab, mix_colors};
+use crate::material::{Oklab, mix_colors, viridis};
 use crate::morph::{Band, IsoLine, Ruling, unit_cells};
 use glam::DVec2;
 

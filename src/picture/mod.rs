@@ -16,7 +16,6 @@ mod list;
 mod mesh;
 mod options;
 mod painting;
-mod scalar;
 mod shade;
 mod shape;
 #[cfg(feature = "stack")]
@@ -39,7 +38,6 @@ pub use hatch::Blends;
 pub use list::{DisplayList, Item, Layer, Mesh, Path, StrokeStyle};
 pub use options::PictureOptions;
 pub use painting::{Painting, paint};
-pub use scalar::viridis;
 #[cfg(feature = "svg")]
 pub use svg::to_svg;
 pub use theme::{Cased, Theme};

@@ -3,6 +3,8 @@
 //! Documents and options come in as JSON text, which the host's own parser reads; results go out as plain objects and typed
 //! arrays. `js/` wraps these functions and is the interface to use.
 
+#[cfg(feature = "amounts")]
+mod amounts;
 mod engine;
 mod error;
 #[cfg(feature = "explain")]
@@ -14,6 +16,8 @@ mod painting;
 #[cfg(feature = "paths")]
 mod paths;
 mod results;
+#[cfg(feature = "solid")]
+mod solid;
 #[cfg(feature = "stack")]
 mod stack;
 #[cfg(feature = "svg")]

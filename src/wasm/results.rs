@@ -1,5 +1,7 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
+#[cfg(feature = "solid")]
+use crate::document::Model;
 use crate::document::{
     Code, CurvesDocument, Diagnostic, DocumentError, Gap, GapKind, IsoOptions, Outcome, Solution,
 };
@@ -40,6 +42,21 @@ pub(super) struct MatchResult {
     #[cfg(feature = "stack")]
     #[serde(skip_serializing_if = "Option::is_none")]
     threads: Option<Vec<Vec<f64>>>,
+    #[cfg(feature = "solid")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    projection: Option<ProjectionResult>,
+}
+
+/// How curves in space are seen in the plane.
+#[cfg(feature = "solid")]
+#[derive(Serialize)]
+pub(super) struct ProjectionResult {
+    origin: [f64; 3],
+    normal: [f64; 3],
+    axes: [[f64; 3]; 2],
+    heights: Vec<f64>,
+    deviation: f64,
+    assumed: String,
 }
 
 #[derive(Serialize)]
@@ -99,7 +116,7 @@ pub(super) struct LineTotals {
 }
 
 #[derive(Serialize)]
-struct DiagnosticResult {
+pub(super) struct DiagnosticResult {
     code: &'static str,
     message: String,
     #[cfg(feature = "stack")]
@@ -141,7 +158,10 @@ pub(super) struct CellResult {
     line: usize,
     stage: usize,
     corners: [[f64; 2]; 4],
+    area: f64,
+    centroid: [f64; 2],
     fractions: Vec<f64>,
+    folded: bool,
 }
 
 #[derive(Serialize)]
@@ -220,6 +240,8 @@ impl MatchResult {
             knots: stack.map(super::stack::knots),
             #[cfg(feature = "stack")]
             threads: stack.map(super::stack::threads),
+            #[cfg(feature = "solid")]
+            projection: ProjectionResult::of(model),
         })
     }
 }
@@ -287,22 +309,51 @@ pub(super) fn line_totals(totals: &Totals, details: Option<Details>) -> LineTota
     }
 }
 
-impl From<&Diagnostic> for DiagnosticResult {
-    fn from(diagnostic: &Diagnostic) -> Self {
-        let mut result = Self {
-            code: diagnostic.code(),
-            message: diagnostic.to_string(),
+#[cfg(feature = "solid")]
+impl ProjectionResult {
+    /// That of a model; `None` of plane curves.
+    pub(super) fn of(model: &Model) -> Option<Self> {
+        let projection = model.projection()?;
+        let [x, y, normal] = projection.axes.map(|axis| axis.to_array());
+        Some(Self {
+            origin: projection.origin.to_array(),
+            normal,
+            axes: [x, y],
+            heights: model.document().curves.iter().map(|curve| curve.height).collect(),
+            deviation: projection.deviation,
+            assumed: projection.assumed(),
+        })
+    }
+}
+
+impl DiagnosticResult {
+    /// A remark that speaks of nothing more than a curve and a place.
+    pub(super) fn remark(
+        code: &'static str,
+        message: String,
+        curve: Option<usize>,
+        at: Option<DVec2>,
+    ) -> Self {
+        Self {
+            code,
+            message,
             #[cfg(feature = "stack")]
             span: None,
-            curve: None,
+            curve,
             vertices: None,
             lines: None,
             pins: None,
             reason: None,
             parameter: None,
             turn: None,
-            at: None,
-        };
+            at: at.map(|at| at.to_array()),
+        }
+    }
+}
+
+impl From<&Diagnostic> for DiagnosticResult {
+    fn from(diagnostic: &Diagnostic) -> Self {
+        let mut result = Self::remark(diagnostic.code(), diagnostic.to_string(), None, None);
         match diagnostic {
             Diagnostic::Corner { curve, parameter, at, turn } => {
                 result.curve = Some(*curve);
@@ -384,7 +435,10 @@ pub(super) fn cells(cells: Vec<UnitCell>, document: &CurvesDocument, segments: u
         line: cell.line,
         stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
         corners: cell.corners.map(|corner| corner.to_array()),
+        area: cell.area,
+        centroid: cell.centroid.to_array(),
         fractions: cell.composition.fractions().to_vec(),
+        folded: cell.is_folded,
     };
     cells.into_iter().map(convert).collect()
 }

@@ -173,8 +173,6 @@ test(`icons inside icons, ${pairCount} pairs, seed ${seed}: no panic, no hang, n
   const next = random();
   const pick = () => files[Math.floor(next() * files.length)];
   let refined = 0;
-  /** @type {string[]} */
-  const unsettled = [];
   const counts = { pairs: 0, "not simple": 0, refused: 0 };
   /** @type {Record<string, {ok: number, partial: number, pairs: number, slowest: number}>} */
   const methods = {};
@@ -196,9 +194,7 @@ test(`icons inside icons, ${pairCount} pairs, seed ${seed}: no panic, no hang, n
         check(document, match, name);
         if (match.optimumChange !== null) {
           refined++;
-          // Pockets seen ever less on ever finer samples come to the limit of these: the change says so.
-          if (match.optimumChange >= 1e-4) unsettled.push(`${name}: ${match.optimumChange}`);
-          assert.ok(match.optimumChange < 3e-4, `${name}: the optimum still changes by ${match.optimumChange}`);
+          assert.ok(match.optimumChange < 1e-4, `${name}: the optimum still changes by ${match.optimumChange}`);
         }
         sums[match.ok ? "ok" : "partial"]++;
         sums.pairs += match.pairs.length;
@@ -210,8 +206,7 @@ test(`icons inside icons, ${pairCount} pairs, seed ${seed}: no panic, no hang, n
       }
     }
   }
-  t.diagnostic(`seed ${seed}: ${JSON.stringify({ ...counts, refined, unsettled, methods })}`);
-  assert.ok(unsettled.length <= refined / 25, `the optimum is unsettled: ${unsettled.join("; ")}`);
+  t.diagnostic(`seed ${seed}: ${JSON.stringify({ ...counts, refined, methods })}`);
   assert.ok(refined >= pairCount / 10, `the optimum was refined for ${refined} pairs`);
   for (const [method, { ok }] of Object.entries(methods)) assert.ok(ok >= pairCount / 10, `${method} matches ${ok} of ${pairCount}`);
   assert.ok(counts.refused <= pairCount / 10, `${counts.refused} refused`);

@@ -159,7 +159,7 @@ test("a link that is wrong is refused with the key at fault and what was expecte
     ["a number", linkOf("42"), "s", /no field directrix/],
     ["null", linkOf("null"), "s", /no field directrix/],
     ["another application's JSON", linkOf('{"type":"excalidraw","elements":[]}'), "s", /no field directrix/],
-    ["view", "#v=1&preset=a&view=match", "view", /"match" was found; expected figure, steps, compare/],
+    ["view", "#v=1&preset=a&view=match", "view", /"match" was found; expected figure, steps, compare, solid/],
     ["step 0", "#v=1&step=0", "step", /whole number from 1/],
     ["step with a fraction", "#v=1&step=1.5", "step", /"1.5" was found/],
     ["step past all", "#v=1&step=1000001", "step", /1000000/],

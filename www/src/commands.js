@@ -80,7 +80,7 @@ function toggleSnap(app) {
   app.say(snap ? words.snapOn : words.snapOff);
 }
 
-/** @param {App} app @param {"figure" | "steps" | "compare"} mode @param {string} text */
+/** @param {App} app @param {App["ui"]["value"]["mode"]} mode @param {string} text */
 function enter(app, mode, text) {
   app.ui.set({ mode });
   app.say(text);
@@ -113,6 +113,7 @@ export const COMMANDS = [
   { name: "mode-figure", topic: "mode", text: words.figure, keys: ["1"], run: (app) => enter(app, "figure", words.figure) },
   { name: "mode-steps", topic: "mode", text: words.steps, keys: ["2"], run: (app) => enter(app, "steps", words.steps) },
   { name: "mode-compare", topic: "mode", text: words.compare, keys: ["3"], run: (app) => enter(app, "compare", words.compare) },
+  { name: "mode-solid", topic: "mode", text: words.solid, keys: ["4"], run: (app) => enter(app, "solid", words.solid) },
 
   { name: "fit", topic: "view", text: words.fit, keys: ["F"], run: fit },
   { name: "zoom-in", topic: "view", text: words.zoomIn, keys: ["+", "="], run: (app) => zoomBy(app, 1) },

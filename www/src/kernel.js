@@ -3,15 +3,20 @@
  *
  * @import { CurvesDocument, Kernel, Picture } from "./types.js"
  */
+import { DirectrixError } from "../../js/index.js";
 
 /**
- * A document with every default written out. Rejects with a DirectrixError when it is none.
+ * A document with every default written out. Rejects with a DirectrixError when it is none, or one that the page does not show.
  * @param {Kernel} kernel
  * @param {unknown} raw
  */
 export async function completed(kernel, raw) {
   const checked = /** @type {CurvesDocument} */ (raw);
-  return /** @type {CurvesDocument} */ (await kernel.defaults(checked));
+  const document = /** @type {CurvesDocument} */ (await kernel.defaults(checked));
+  if (document.curves.some(({ points: [point] }) => point?.length > 2)) {
+    throw new DirectrixError("not-yet", "curves[0].points", "curves in space are read by the JavaScript API; the page shows plane curves");
+  }
+  return document;
 }
 
 /**

@@ -107,6 +107,7 @@ function assemble(kernel, store, restored, kept) {
   const ui = new Record({
     mode: "figure",
     span: 0,
+    solid: null,
     step: 1,
     selection: only(1, 2),
     view: null,

@@ -99,7 +99,7 @@ export function createPainter(app) {
     else ui.set({ note: { tone: "error", text: message } });
   }
 
-  const busyElsewhere = () => ui.value.mode === "compare" || ui.value.workbench === "lessons";
+  const busyElsewhere = () => ["compare", "solid"].includes(ui.value.mode) || ui.value.workbench === "lessons";
 
   /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {

@@ -12,6 +12,8 @@
  * @typedef {import("../../js/directrix.js").Probe} Probe
  * @typedef {import("../../js/directrix.js").Explanation} Explanation
  * @typedef {import("../../js/directrix.js").Standing} Standing
+ * @typedef {import("../../js/directrix.js").UnitCell} UnitCell
+ * @typedef {import("../../js/directrix.js").Amounts} Amounts
  * @typedef {import("../../js/directrix.js").Picture} Picture
  * @typedef {import("../../js/directrix.js").PictureOptions} PaintOptions
  * @typedef {import("../../js/directrix.js").View} View

@@ -7,6 +7,7 @@
 mod cubic;
 mod error;
 
+use super::cuts::cuts;
 use crate::curve::BSpline;
 use crate::geom::Bounds;
 use cubic::{Piece, fit};
@@ -20,8 +21,6 @@ pub const SMALLEST_TOLERANCE: f64 = 1e-9;
 const MOST_COMMANDS: usize = 10_000;
 /// Largest part of the way round that one command takes.
 const LONGEST: f64 = 0.25;
-/// Cuts nearer to each other than this, as a share of the way between two lines, are one.
-const SAME_CUT: f64 = 1e-12;
 /// Part of the tolerance that the fit may use; the rest is left to the digits of the numbers that are written.
 const OF_THE_FIT: f64 = 0.95;
 
@@ -136,36 +135,9 @@ fn decimals(tolerance: f64) -> usize {
     (20.0 / tolerance).log10().ceil().clamp(0.0, 20.0) as usize
 }
 
-/// Cuts the way round at every line and at every knot of either curve, so that both are polynomials in between.
+/// The stretches between the lines and the knots of either curve, on which both are polynomials.
 fn stretches(curves: &[BSpline; 2], places: &[(f64, f64)], origin: DVec2) -> Vec<Stretch> {
-    let Some(&(u, v)) = places.first() else { return Vec::new() };
-    let periods = curves.each_ref().map(|curve| curve.domain().1 - curve.domain().0);
-    let knots = [curves[0].knots_from(u), curves[1].knots_from(v)];
-    let lap = curves[0].is_closed().then_some((u + periods[0], v + periods[1]));
-    let next = places.iter().copied().skip(1).chain(lap);
-    let mut cuts = Vec::new();
-    let mut passed = [0, 0];
-    for (&(u0, v0), (u1, v1)) in places.iter().zip(next) {
-        let mut shares = vec![1.0];
-        for (curve, (lo, hi)) in [(u0, u1), (v0, v1)].into_iter().enumerate() {
-            while let Some(&knot) = knots[curve].get(passed[curve]).filter(|&&knot| knot < hi) {
-                shares.push((knot - lo) / (hi - lo));
-                passed[curve] += 1;
-            }
-        }
-        shares.sort_by(f64::total_cmp);
-        let mut reached = 0.0;
-        for (i, &share) in shares.iter().enumerate() {
-            // A cut beside the next one, or beside the line itself, is that one.
-            let ahead = shares.get(i + 1).map_or(f64::INFINITY, |next| next - share);
-            if share - reached <= SAME_CUT || ahead <= SAME_CUT {
-                continue;
-            }
-            let at = |t: f64| (u0 + t * (u1 - u0), v0 + t * (v1 - v0));
-            cuts.push((at(reached), if share < 1.0 { at(share) } else { (u1, v1) }));
-            reached = share;
-        }
-    }
+    let cuts = cuts(curves, places, [&[], &[]]);
     let ends = [
         cuts.iter().map(|&((from, _), (to, _))| (from, to)).collect::<Vec<_>>(),
         cuts.iter().map(|&((_, from), (_, to))| (from, to)).collect(),

@@ -111,6 +111,15 @@ test("tables hold what the kernel says, digit for digit", async (t) => {
   assert.deepEqual(names, ["stage", "s", "x", "y"]);
   const expected = stages.flatMap(({ s, points: all }, i) => all.map(([x, y]) => [i, s, x, y]));
   assert.deepEqual(points.map((cells) => cells.map(Number)), expected);
+  await pick(page, "export-table", "cells");
+  const [columns, ...cells] = rows(await exported(page, "csv"));
+  assert.deepEqual([columns[2], columns[10], ...columns.slice(14)], ["x1 [mm]", "area [mm²]", "Polymer", "Ceramic", "Titanium"]);
+  const found = dx.cells(document);
+  assert.deepEqual(cells.map((row) => Number(row[10])), found.map(({ area }) => area));
+  await openExport(page, "json");
+  await pick(page, "export-content", "cells");
+  const told = JSON.parse((await exported(page, "json")).toString("utf8"));
+  assert.deepEqual(told.cells.map((/** @type {any} */ cell) => Object.values(cell.mix)), found.map(({ fractions }) => fractions));
 });
 
 test("tables of what cannot be matched say why beside the button", async (t) => {

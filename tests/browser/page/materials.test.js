@@ -1,6 +1,7 @@
 /** Materials: any number up to 16, their colours, order and removal, and what takes the place of one. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { load } from "directrix";
 import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field } from "./workbench.js";
@@ -87,6 +88,46 @@ test("the legend is a triangle for three materials, strips for two, names for mo
   await field(page, "percent-0").fill("20");
   await page.keyboard.press("Enter");
   await eventually(async () => assert.equal(await legend.locator(".legend-name").count(), 4));
+});
+
+test("amounts stand below the materials, follow an edit when it is done, and count empty space apart", async (t) => {
+  const page = await openPage(t);
+  const dx = await load();
+  const texts = async () => (await page.locator("[data-amounts] tr").allTextContents()).map((text) => text.replace(/\s/g, " "));
+  /** What should stand there for the document as it is now. */
+  const expected = async () => {
+    const amounts = dx.amounts(await documentOf(page));
+    assert.ok(amounts);
+    return amounts.materials.map(({ name, void: empty, amount, share }) => {
+      assert.ok(amount >= 1000 && amount < 9999.5, "written as a whole number");
+      return `${name}${empty ? " (empty)" : ""}${amount.toFixed(0)} mm²${(100 * share).toFixed(1)} %`;
+    });
+  };
+  await eventually(async () => assert.deepEqual((await texts()).slice(0, 3), await expected()));
+  const [polymer] = await texts();
+  const box = await page.locator('[data-handle="B3"]').boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x - 60, box.y + 60, { steps: 4 });
+  await page.waitForTimeout(600);
+  assert.equal((await texts())[0], polymer, "nothing moves while something is dragged");
+  await page.mouse.up();
+  await eventually(async () => assert.notEqual((await texts())[0], polymer));
+  await eventually(async () => assert.deepEqual((await texts()).slice(0, 3), await expected()));
+  await page.locator("[data-swatch='0']").click();
+  await page.locator("[data-box=void-0]").check();
+  await eventually(async () => {
+    const [first, second, third, body, band] = await texts();
+    assert.deepEqual([first, second, third], await expected());
+    assert.match(body, /^Body/);
+    assert.match(band, /^Band.*100\.0 %$/);
+  });
+  // A matching that is not whole has no band.
+  await page.locator("[data-swatch='0']").click();
+  await field(page, "y").fill("-20");
+  await page.keyboard.press("Enter");
+  await eventually(async () => assert.ok(await page.locator("[data-amounts]").isHidden()));
 });
 
 test("materials are accessible with details and choice open", async (t) => {

@@ -5,8 +5,8 @@
  * @import { BrowserContextOptions, Page } from "playwright-core"
  * @import { TestContext } from "node:test"
  *
- * @typedef {BrowserContextOptions & {init?: string, hash?: string}} Options `init`: a script that runs before the page's own; `hash`:
- *   that of the address
+ * @typedef {BrowserContextOptions & {init?: string, hash?: string, allow?: RegExp}} Options `init`: a script that runs before the page's own;
+ *   `hash`: that of the address; `allow`: messages on the console that are no complaints
  */
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
@@ -32,9 +32,9 @@ after(async () => {
  * @param {TestContext} t
  * @param {Options} [options]
  */
-export async function openPage(t, { init, hash = "", ...context } = {}) {
+export async function openPage(t, { init, hash = "", allow, ...context } = {}) {
   const page = await newPage(t, context, init);
-  const complaints = watch(page);
+  const complaints = watch(page, allow);
   const [home] = server.url.split("/", 3).slice(2);
   page.on("request", (request) => {
     const { protocol, host } = new URL(request.url());

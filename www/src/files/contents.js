@@ -6,10 +6,13 @@
  * @import { Appearance } from "./pictures.js"
  *
  * @typedef {"png" | "svg" | "csv" | "json"} Format
- * @typedef {"lines" | "stages"} Table
+ * @typedef {"lines" | "stages" | "cells"} Table
+ * @typedef {"document" | "cells"} Content
  *
- * @typedef {Size & Appearance & {format: Format, table: Table}} Wanted
+ * @typedef {Size & Appearance & {format: Format, table: Table, content: Content}} Wanted `table`: of CSV; `content`: of JSON
  */
+import { cellsCsv, cellsJson } from "../cells/tables.js";
+import { words } from "../cells/words.js";
 import { currentMatch } from "../state/app.js";
 import { strings } from "../strings.js";
 import { linesCsv, stackCsv, stagesCsv } from "./csv.js";
@@ -39,8 +42,8 @@ export async function fileOf(app, wanted) {
  */
 export async function textOf(app, wanted) {
   if (wanted.format === "svg") return svgOf(app, wanted);
-  if (wanted.format === "json") return written(documentWithView(app));
-  return wanted.table === "lines" ? lines(app) : stages(app);
+  if (wanted.format === "json") return wanted.content === "cells" ? cellsAsJson(app) : written(documentWithView(app));
+  return { lines, stages, cells: cellsAsCsv }[wanted.table](app);
 }
 
 /**
@@ -48,8 +51,9 @@ export async function textOf(app, wanted) {
  * @param {App} app
  * @param {Wanted} wanted
  */
-export function nameOf(app, { format, table }) {
+export function nameOf(app, { format, table, content }) {
   const title = fileName(app.store.document.title);
+  if (format === "json" && content === "cells") return `${title}-cells.json`;
   return format === "csv" ? `${title}-${table}.csv` : `${title}.${format}`;
 }
 
@@ -71,4 +75,25 @@ async function stages(app) {
   const found = await app.kernel.stages(app.store.document);
   if (found.length === 0) throw new Error(strings.exports.noStages);
   return stagesCsv(found);
+}
+
+/** @param {App} app */
+async function cellsAsCsv(app) {
+  const { document } = app.store;
+  return cellsCsv(await cells(app), document.materials.map(({ name }) => name), document.unit);
+}
+
+/** @param {App} app */
+async function cellsAsJson(app) {
+  const { document } = app.store;
+  const [found, amounts] = await Promise.all([cells(app), app.kernel.amounts(document)]);
+  if (!amounts) throw new Error(words.none);
+  return cellsJson(found, amounts, document.title);
+}
+
+/** @param {App} app */
+async function cells(app) {
+  const found = await app.kernel.cells(app.store.document);
+  if (found.length === 0) throw new Error(words.none);
+  return found;
 }

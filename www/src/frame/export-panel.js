@@ -2,10 +2,11 @@
  * The export: format, how it looks, and where it goes.
  *
  * @import { App } from "../state/app.js"
- * @import { Format, Table, Wanted } from "../files/contents.js"
+ * @import { Content, Format, Table, Wanted } from "../files/contents.js"
  */
 import "../../styles/export.css";
 import "../../styles/push.css";
+import { words as ofCells } from "../cells/words.js";
 import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
@@ -23,31 +24,39 @@ const words = strings.exports;
 /** Smallest side of a picture in pixels. */
 const SMALLEST = 16;
 const SCALES = /** @type {const} */ (["1", "2", "4"]);
+/** Exports with choices of their own. */
+const SECTIONS = {
+  morph: async () => (await import("../morph/export-section.js")).createMorphExport,
+  solid: async () => (await import("../solid/export-section.js")).createSolidExport,
+};
 /** The scale a picture has until another is chosen: sharp in a text and on a slide. */
 const FIRST_SCALE = "2";
 
 /**
- * What was chosen last, for as long as the page is open; `morph`: whether that was the morph.
- * @type {{format: Format, table: Table, transparent: boolean, morph: boolean}}
+ * What was chosen last, for as long as the page is open; `section`: the export with a section of its own, where that was one.
+ * @type {{format: Format, table: Table, content: Content, transparent: boolean, section: keyof typeof SECTIONS | null}}
  */
-const last = { format: "png", table: "lines", transparent: false, morph: false };
+const last = { format: "png", table: "lines", content: "document", transparent: false, section: null };
 
 /** @param {App} app */
 export function showExport(app) {
   const { size } = app.ui.value;
   /** @type {Wanted} */
-  const wanted = { format: last.format, table: last.table, transparent: last.transparent, theme: app.ui.value.theme, ...scaledSize(size, Number(FIRST_SCALE)) };
+  const wanted = {
+    ...{ format: last.format, table: last.table, content: last.content, transparent: last.transparent, theme: app.ui.value.theme },
+    ...scaledSize(size, Number(FIRST_SCALE)),
+  };
 
   const format = segment(
     {
       label: words.format,
       name: "export-format",
-      choices: /** @type {const} */ (["png", "svg", "csv", "json", "morph"]).map((value) => ({
+      choices: /** @type {const} */ (["png", "svg", "csv", "json", "morph", "solid"]).map((value) => ({
         value,
-        text: value === "morph" ? words.morph : value.toUpperCase(),
+        text: value === "morph" || value === "solid" ? words[value] : value.toUpperCase(),
       })),
     },
-    (value) => (value === "morph" ? void showMorph() : change({ format: value })),
+    (value) => (value === "morph" || value === "solid" ? void showSection(value) : change({ format: value })),
   );
   const scale = segment(
     { label: words.scale, name: "export-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) },
@@ -81,9 +90,20 @@ export function showExport(app) {
     {
       label: words.table,
       name: "export-table",
-      choices: /** @type {const} */ (["lines", "stages"]).map((value) => ({ value, text: words.tables[value] })),
+      choices: /** @type {const} */ (["lines", "stages", "cells"]).map((value) => ({
+        value,
+        text: value === "cells" ? ofCells.table : words.tables[value],
+      })),
     },
     (value) => change({ table: value }),
+  );
+  const content = segment(
+    {
+      label: ofCells.content,
+      name: "export-content",
+      choices: /** @type {const} */ (["document", "cells"]).map((value) => ({ value, text: ofCells.contents[value] })),
+    },
+    (value) => change({ content: value }),
   );
 
   const rows = {
@@ -92,9 +112,10 @@ export function showExport(app) {
     theme: row(words.theme, theme),
     background: row(words.background, transparent),
     table: row(words.table, table),
+    content: row(ofCells.content, content),
   };
   /** The rows of each format. @type {{[format in Format]: (keyof typeof rows)[]}} */
-  const shown = { png: ["scale", "size", "theme", "background"], svg: ["theme", "background"], csv: ["table"], json: [] };
+  const shown = { png: ["scale", "size", "theme", "background"], svg: ["theme", "background"], csv: ["table"], json: ["content"] };
 
   const note = h("p", { class: "export-note" });
   const message = h("p", { class: "export-message", "data-message": "", hidden: true });
@@ -111,25 +132,27 @@ export function showExport(app) {
     return words.copied;
   });
 
-  /** The export of the morph, which stands in for the rest. @type {import("../morph/export-section.js").Section | null} */
-  let morph = null;
+  /** The export that stands in for the rest. @type {import("../morph/export-section.js").Section | null} */
+  let section = null;
 
-  async function showMorph() {
-    const { createMorphExport } = await import("../morph/export-section.js");
-    if (!place.isConnected) return;
-    morph ??= createMorphExport(app);
-    place.replaceChildren(morph.element);
+  /** @param {keyof typeof SECTIONS} name */
+  async function showSection(name) {
+    last.section = name;
+    const create = await SECTIONS[name]();
+    if (!place.isConnected || last.section !== name) return;
+    section?.close();
+    section = create(app);
+    place.replaceChildren(section.element);
     still.hidden = true;
-    last.morph = true;
   }
 
   /** @param {Partial<Wanted>} patch */
   function change(patch) {
     place.replaceChildren();
     still.hidden = false;
-    last.morph = false;
+    last.section = null;
     Object.assign(wanted, patch);
-    Object.assign(last, { format: wanted.format, table: wanted.table, transparent: wanted.transparent });
+    Object.assign(last, { format: wanted.format, table: wanted.table, content: wanted.content, transparent: wanted.transparent });
     tell(null);
     render();
   }
@@ -146,10 +169,11 @@ export function showExport(app) {
     theme.set(wanted.theme);
     transparent.set(wanted.transparent);
     table.set(wanted.table);
+    content.set(wanted.content);
     for (const [name, element] of Object.entries(rows)) {
       element.hidden = !shown[wanted.format].some((each) => each === name);
     }
-    write(note, wanted.format === "csv" ? words.notes[wanted.table] : words.notes[wanted.format]);
+    write(note, noteOf(wanted));
   }
 
   /** @param {string | null} text @param {boolean} [failed] */
@@ -182,18 +206,26 @@ export function showExport(app) {
     message,
   );
   const place = h("div", {});
+  const formats = row(words.format, format);
+  formats.classList.add("export-formats");
   render();
   const panel = openPanel({
     name: "export",
     heading: words.heading,
-    body: [row(words.format, format), still, place],
-    onclose: () => morph?.close(),
+    body: [formats, still, place],
+    onclose: () => section?.close(),
   });
-  if (panel && last.morph) {
-    format.set("morph");
-    void showMorph();
+  if (panel && last.section) {
+    format.set(last.section);
+    void showSection(last.section);
     return;
   }
   // Enter once more downloads; on a phone the choices above would leave the screen.
   if (panel && !matchMedia("(width < 600px)").matches) save.focus();
+}
+
+/** @param {Wanted} wanted */
+function noteOf({ format, table, content }) {
+  if (format === "csv") return table === "cells" ? ofCells.notes.csv : words.notes[table];
+  return format === "json" && content === "cells" ? ofCells.notes.json : words.notes[format];
 }

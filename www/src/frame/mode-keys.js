@@ -25,6 +25,18 @@ export const MODE_KEYS = [
     ],
   },
   {
+    heading: "Solid",
+    rows: [
+      { text: "Go round the body, from the picture", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Move it, from the picture", keys: ["Shift+\u2190\u2191\u2192\u2193"] },
+      { text: "Nearer, farther", keys: ["+", "-"] },
+      { text: "Fit the body", keys: ["F"] },
+      { text: "From a corner, the front, the side, above", keys: ["5", "6", "7", "8"] },
+      { text: "Build the body up", keys: ["Space"] },
+      { text: "Read the place in the middle, end the reading", keys: ["Enter", "Escape"] },
+    ],
+  },
+  {
     heading: "Lessons",
     rows: [
       { text: "Next step, step before", keys: ["ArrowRight", "ArrowLeft", "PageDown", "PageUp"] },

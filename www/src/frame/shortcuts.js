@@ -11,7 +11,7 @@ const PAST_FIELDS = ["undo", "redo"];
 /** Topics whose keys belong to the canvas: elsewhere Delete must not take a point away. */
 const ON_CANVAS = ["select", "points"];
 /** Topics whose keys work in each mode but the figure, where all do. @type {{[mode: string]: string[]}} */
-const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"] };
+const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"], solid: ["document", "mode"] };
 
 /**
  * @param {App} app

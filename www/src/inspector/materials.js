@@ -5,6 +5,8 @@
  * @import { Group } from "./group.js"
  */
 import { attribute, h } from "../dom.js";
+import { later } from "../later.js";
+import { currentMatch } from "../state/app.js";
 import { isWhole } from "../state/selection.js";
 import { addMaterial, MATERIAL_LIMIT } from "../state/materials.js";
 import { strings } from "../strings.js";
@@ -22,6 +24,11 @@ export function materialsGroup(app) {
   const strips = [];
   const stripPlace = h("div", {});
   const panel = h("div", {});
+  const place = h("div", {});
+  const amounts = later(app, () => currentMatch(app) !== null, async () => {
+    const { createAmounts } = await import("../cells/amounts.js");
+    return () => createAmounts(app, place);
+  });
   const toggle = h(
     "button",
     { type: "button", class: "command-word", title: strings.composition.toggleHelp, "data-action": "compose" },
@@ -97,12 +104,13 @@ export function materialsGroup(app) {
     }
     for (const strip of strips) strip.render();
     renderKeyPanel();
+    amounts.render();
   }
 
   return {
     name: "materials",
     heading: words.heading,
-    body: h("div", {}, list, stripPlace, panel),
+    body: h("div", {}, list, stripPlace, panel, place),
     commands: [toggle, add],
     phrase: () => words.phrase(app.store.document.materials.map(({ name }) => name)),
     render,

@@ -33,6 +33,7 @@ const MODES = [
     text: words.compare,
     load: async () => (await import("../compare/compare.js")).createCompare,
   },
+  { name: "solid", text: words.solid, load: async () => (await import("../solid/solid.js")).createSolid },
 ];
 
 /** @param {App} app */

@@ -4,5 +4,6 @@ export const words = {
   figure: "Figure",
   steps: "Steps",
   compare: "Compare",
+  solid: "Solid",
   failed: (/** @type {string} */ reason) => `That mode could not be loaded: ${reason}.`,
 };

@@ -131,7 +131,7 @@ export function showShare(app) {
     const whole = `${addressOf(tab === "editor" ? "editor" : "view")}${writeLink(targetOf(made))}`.length;
     write(about, tab === "editor" && !isLong ? `${words.about.editor} ${words.inBar}` : words.about[tab]);
     const { view } = made;
-    const opensAt = view === "steps" ? words.mode.steps(made.step ?? 0) : view === "compare" ? words.mode.compare : "";
+    const opensAt = view === "steps" ? words.mode.steps(made.step ?? 0) : view === undefined || view === "figure" ? "" : words.mode[view];
     const length = isElement
       ? needsFile
         ? words.place(file())

@@ -52,6 +52,7 @@ export const words = {
     figure: "",
     steps: (/** @type {number} */ step) => (step > 0 ? `It opens at step ${step}.` : "It opens the steps."),
     compare: "It opens the comparison.",
+    solid: "It opens the solid in three dimensions.",
   },
   tooLong: (/** @type {number} */ length, /** @type {number} */ most) =>
     `This document would make a link of ${size(length)}, and mail and chat programs cut links above ${size(most)}. Share the file instead:`,

@@ -48,7 +48,7 @@ export function createLegend(app) {
       element.replaceChildren(
         ...pairs.map(([a, b]) => strip(document, a, b)),
         ...(pairs.length > 0 ? [scale([percent(0), percent(0.5), percent(1)])] : []),
-        ...(asTriangle ? [corners(names)] : []),
+        ...(asTriangle ? [corners(names, colors.element, dot)] : []),
         ...(asList ? [list(names, used, patterns)] : []),
         ...(range ? valueStrip(range) : []),
       );
@@ -64,21 +64,25 @@ export function createLegend(app) {
     dot.style.left = `${x * SIDE}px`;
     dot.style.bottom = `${y * SIDE}px`;
   }
+}
 
-  /** @param {Material[]} names */
-  function corners([a, b, c]) {
-    return h(
-      "div",
-      { class: "legend-triangle" },
-      h("span", {}, c.name),
-      h("div", { class: "triangle-area" }, colors.element, dot),
-      h("div", { class: "triangle-base" }, h("span", {}, a.name), h("span", {}, b.name)),
-    );
-  }
+/**
+ * The triangle of three materials with their names.
+ * @param {Material[]} names
+ * @param {...Node} area
+ */
+export function corners([a, b, c], ...area) {
+  return h(
+    "div",
+    { class: "legend-triangle" },
+    h("span", {}, c.name),
+    h("div", { class: "triangle-area" }, ...area),
+    h("div", { class: "triangle-base" }, h("span", {}, a.name), h("span", {}, b.name)),
+  );
 }
 
 /** @param {Material[]} names @param {number[]} indices @param {boolean} patterns */
-function list(names, indices, patterns) {
+export function list(names, indices, patterns) {
   const rows = names.slice(0, NAMES).map((material, i) => {
     const swatch = h("span", { class: "mix-swatch" });
     swatch.style.setProperty("--color", material.color);
@@ -94,7 +98,7 @@ function list(names, indices, patterns) {
  * @param {CurvesDocument} document
  * @returns {[number, number][]}
  */
-function blends({ curves, materials }) {
+export function blends({ curves, materials }) {
   const on = curves.map((curve) => materials.map((_, i) => i).filter((i) => holds(curve, i)));
   /** @type {[number, number][]} */
   const pairs = on.slice(1).flatMap((second, k) =>
@@ -105,14 +109,14 @@ function blends({ curves, materials }) {
 }
 
 /** @param {CurvesDocument} document @param {number} a @param {number} b */
-function strip({ materials }, a, b) {
+export function strip({ materials }, a, b) {
   const bar = h("span", { class: "legend-bar" });
   bar.style.backgroundImage = `linear-gradient(to right in oklab, ${materials[a]?.color}, ${materials[b]?.color})`;
   return h("div", { class: "legend-row" }, h("span", {}, materials[a]?.name), bar, h("span", {}, materials[b]?.name));
 }
 
 /** @param {(string | Node)[]} ticks */
-function scale(ticks) {
+export function scale(ticks) {
   return h(
     "div",
     { class: "legend-row legend-ticks number" },

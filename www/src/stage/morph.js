@@ -10,6 +10,7 @@ import { attribute, find, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { curveName } from "../state/app.js";
+import { countsBack, segmentsOf } from "../state/stages.js";
 import { strings } from "../strings.js";
 
 /** Stages past which ticks would run into each other. */
@@ -129,9 +130,3 @@ function stageText(s, places, document) {
   if (at >= 0) return strings.morph.stage(countsBack(document) ? last - at : at, last);
   return strings.morph.between(countsBack(document) ? last - before - 1 : before, last);
 }
-
-/** As printed, stages are counted from the second curve. @param {CurvesDocument} document */
-const countsBack = (document) => document.matching.printed?.includes("stages") ?? false;
-
-/** Parts into which the stages cut each line: as printed, the number of stages is that of the curves in between. @param {CurvesDocument} document */
-const segmentsOf = (document) => document.blend.stages + (countsBack(document) ? 1 : 0);

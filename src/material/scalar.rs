@@ -1,6 +1,6 @@
 //! Colours of scalars.
 
-use crate::material::Color;
+use super::Color;
 
 /// The colour of a scalar on the map viridis (Stéfan van der Walt and Nathaniel Smith, 2015): dark violet at 0, yellow at 1.
 /// Values outside are clamped; a value that is not a number counts as 0.

@@ -1,0 +1,325 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { test } from "node:test";
+import { load } from "directrix";
+import { writeLink } from "directrix/link";
+import { PNG } from "pngjs";
+import { root } from "../../../scripts/lib/paths.mjs";
+import { fitted, rayAt, seenAt, STANDARD } from "../../../www/src/space/camera.js";
+import { labsOf, srgbOf } from "../../../www/src/space/colors.js";
+import { firstHit } from "../../../www/src/space/pick.js";
+import { triples } from "../../../www/src/space/vector.js";
+import { audit } from "../support/axe.js";
+import { screenshot } from "../support/screenshot.js";
+import { PHONE } from "./drawing.js";
+import { openExport } from "./exporting.js";
+import { openPage } from "./open.js";
+import { documentOf, drawn, eventually, field, middle, pick, spoken, status } from "./workbench.js";
+
+/**
+ * @import { Page } from "playwright-core"
+ * @import { TestContext } from "node:test"
+ * @import { Solid, SolidOptions } from "directrix"
+ * @import { Picture } from "../support/screenshot.js"
+ * @import { Point } from "../../../www/src/types.js"
+ */
+
+/** What Chromium says when it draws without a graphics card. */
+const SOFTWARE = /GPU stall due to ReadPixels/;
+/** Rows of the mesh that the page asks for with 5 stages. */
+const ROWS = 25;
+
+const dx = await load();
+const amoeba = JSON.parse(await readFile(join(root, "www/presets/amoeba.json"), "utf8"));
+/** The first preset with its inner curve raised, as the page proposes it. */
+const high = { ...amoeba, curves: amoeba.curves.map((/** @type {any} */ curve, /** @type {number} */ i) => (i === 0 ? { ...curve, height: 50 } : curve)) };
+
+/** @param {TestContext} t @param {import("./open.js").Options} [options] */
+const open = (t, options) => openPage(t, { allow: SOFTWARE, viewport: { width: 1000, height: 640 }, ...options });
+
+/** Waits until the solid of the open document is drawn. @param {Page} page */
+async function shown(page) {
+  await page.locator("[data-solid=shown]").waitFor({ state: "attached" });
+  await drawn(page);
+}
+
+/**
+ * The colour that the kernel gives a place of the picture, from which the camera looks at the whole from above.
+ * @param {Page} page
+ * @param {SolidOptions} options
+ * @param {(solid: Solid) => number[]} choose a place in space
+ */
+async function expectedAt(page, options, choose) {
+  const solid = dx.solid(high, { stages: ROWS, ...options });
+  const box = await page.locator("[data-space]").boundingBox();
+  const foot = await page.locator(".solid-foot").boundingBox();
+  assert.ok(box && foot);
+  const frame = { size: { width: box.width, height: box.height }, top: 44, bottom: foot.height };
+  const camera = fitted(STANDARD.top, frame, solid.curves.flatMap(triples));
+  const { at } = seenAt(camera, frame, choose(solid));
+  const place = /** @type {Point} */ ([Math.round(at[0]) + 0.5, Math.round(at[1]) + 0.5]);
+  const hit = firstHit(solid, rayAt(camera, frame, place));
+  assert.ok(hit);
+  const labs = labsOf(solid.colors);
+  const lab = [0, 1, 2].map((k) => hit.weights.reduce((sum, weight, i) => sum + weight * labs[3 * solid.indices[3 * hit.triangle + i] + k], 0));
+  return { place, color: srgbOf(lab, 0).map((channel) => Math.round(255 * channel)), screen: [box.x + place[0], box.y + place[1]] };
+}
+
+/** A place of the wall, at a share of a ruling line. @param {number} line @param {number} s @returns {(solid: Solid) => number[]} */
+const onWall = (line, s) => ({ rulings }) => [0, 1, 2].map((axis) => rulings[6 * line + axis] * (1 - s) + rulings[6 * line + 3 + axis] * s);
+
+/** @param {Picture} picture @param {Point} place @param {number[]} color */
+function assertColor(picture, [x, y], color) {
+  const found = picture.at(x, y);
+  const off = Math.max(...color.map((channel, i) => Math.abs(channel - found[i])));
+  assert.ok(off <= 3, `${found} instead of ${color} at ${x}, ${y}`);
+}
+
+/** The volume inside binary STL, and its triangles. @param {Buffer} bytes */
+function readStl(bytes) {
+  const count = bytes.readUInt32LE(80);
+  assert.equal(bytes.length, 84 + 50 * count);
+  let volume = 0;
+  for (let k = 0; k < count; k += 1) {
+    const [a, b, c] = [0, 1, 2].map((corner) => [0, 1, 2].map((axis) => bytes.readFloatLE(84 + 50 * k + 12 + 12 * corner + 4 * axis)));
+    volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+  }
+  return { count, volume };
+}
+
+/** What the export of a format hands out. @param {Page} page @param {string} format */
+async function downloaded(page, format) {
+  await pick(page, "solid-format", format);
+  const download = page.waitForEvent("download");
+  await page.locator("[data-solid-export]").click();
+  const file = await download;
+  assert.equal(file.suggestedFilename(), `amoeba.${format}`);
+  return readFile(await file.path());
+}
+
+test("a key opens the solid, which says what it needs, shows the kernel's colours, is cut, mapped, read and exported", async (t) => {
+  const page = await open(t);
+  const fetched = () => page.evaluate(() => performance.getEntriesByType("resource").some(({ name }) => /\/solid-[^/]*\.js$/.test(name)));
+  assert.equal(await fetched(), false, "nothing of it is fetched before it is asked for");
+  await page.keyboard.press("4");
+  const raise = page.locator("[data-solid-raise]");
+  await raise.waitFor();
+  await eventually(async () => assert.match(await spoken(page), /All curves lie at the height 0/));
+  assert.match(await status(page), /Give one of them another/);
+  await raise.click();
+  await shown(page);
+  assert.equal((await documentOf(page)).curves[0].height, 50);
+  const solid = dx.solid(high, { stages: ROWS });
+  const [twist, flank] = /** @type {const} */ (["twist", "flank"]).map((color) => dx.solid(high, { color }).range?.[1] ?? 0);
+  await eventually(async () => {
+    const line = (await status(page)).replace(/\s+/g, " ");
+    assert.match(line, /Watertight .*volume 2\.36 × 10⁵ mm³/);
+    assert.match(line, new RegExp(`twist to ${twist.toFixed(1)}°.*flank angle to ${flank.toFixed(1)}°`));
+  });
+  assert.match((await page.locator("[data-space]").getAttribute("aria-label")) ?? "", /Amoeba in three dimensions: Watertight, 120\.0 by 87\.0 by 50\.0 mm, volume/);
+
+  // Colours without light and lines, from above.
+  for (const name of ["rulings", "stages", "curves", "light"]) await page.locator(`[data-box=solid-${name}]`).uncheck();
+  await page.keyboard.press("8");
+  await eventually(async () => assert.match(await spoken(page), /Seen from above/));
+  await drawn(page);
+  const picture = await screenshot(page.locator("[data-space]"), "solid-top");
+  assert.ok(picture.colors() > 1000);
+  const cap = await expectedAt(page, {}, () => [0, 0, 50]);
+  assert.deepEqual(cap.color, [0xf0, 0xe4, 0x42]);
+  assertColor(picture, cap.place, cap.color);
+  const places = [onWall(3, 0.3), onWall(14, 0.6), onWall(29, 0.85)];
+  const walls = [];
+  for (const choose of places) {
+    const wall = await expectedAt(page, {}, choose);
+    assertColor(picture, wall.place, wall.color);
+    walls.push(wall);
+  }
+
+  // What the pointer reads is what the colour says.
+  await page.mouse.move(walls[1].screen[0], walls[1].screen[1]);
+  const card = page.locator("[data-solid-reading]");
+  await card.waitFor();
+  await eventually(async () => assert.match(await card.innerText(), /0\.(59|60|61)\d\s/));
+  await page.mouse.move(5, 5);
+
+  // Maps of the angles.
+  await page.locator("[data-select=solid-color]").selectOption("twist");
+  await eventually(async () => assert.equal(await page.locator(".solid-caption").innerText(), `twist, \u2212${twist.toFixed(1)}° to ${twist.toFixed(1)}°`));
+  await drawn(page);
+  const map = await screenshot(page.locator("[data-space]"), "solid-twist");
+  for (const choose of places) {
+    const wall = await expectedAt(page, { color: "twist" }, choose);
+    assertColor(map, wall.place, wall.color);
+  }
+  const [r, g, b] = map.at(...cap.place);
+  assert.ok(Math.max(r, g, b) - Math.min(r, g, b) < 12, "a cap has no twist");
+  await page.locator("[data-select=solid-color]").selectOption("material");
+
+  // A section: its face is hatched in neutral colours, and the handle moves it.
+  await pick(page, "section-axis", "z");
+  await drawn(page);
+  const cut = await screenshot(page.locator("[data-space]"), "solid-section");
+  for (const by of [0, 3, 6]) {
+    const [red, green, blue] = cut.at(cap.place[0] + by, cap.place[1]);
+    assert.ok(Math.max(red, green, blue) - Math.min(red, green, blue) < 12, `${red}, ${green}, ${blue}`);
+  }
+  assert.equal(await field(page, "section-place").inputValue(), "25.0");
+  const handle = page.locator("[data-plane-handle]");
+  await handle.focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  await eventually(async () => assert.equal(await handle.getAttribute("aria-valuetext"), "z = 30.0\u00a0mm"));
+  await page.keyboard.press("6");
+  await drawn(page);
+  const from = await middle(handle);
+  await page.mouse.move(from[0], from[1]);
+  await page.mouse.down();
+  await page.mouse.move(from[0], from[1] + 30);
+  await page.mouse.up();
+  await eventually(async () => assert.ok(Number(await field(page, "section-place").inputValue()) < 29.5));
+  await pick(page, "section-axis", "off");
+
+  // The keyboard turns, reads and ends the reading; nothing of it is an edit.
+  await page.locator("#solid-keys").focus();
+  await page.keyboard.press("5");
+  await page.keyboard.press("ArrowLeft");
+  await eventually(async () => assert.match(await spoken(page), /Azimuth \u221265, elevation 28/));
+  await page.keyboard.press("Enter");
+  await eventually(async () => assert.match(await spoken(page), /^x \S+, y \S+, z \S+, s 0\.\d\d, .*%/));
+  await page.keyboard.press("Escape");
+  assert.equal((await documentOf(page)).curves[0].height, 50);
+  assert.deepEqual(await audit(page), []);
+
+  // The files hold what is shown.
+  await openExport(page, /** @type {any} */ ("solid"));
+  const { count, volume } = readStl(await downloaded(page, "stl"));
+  assert.equal(3 * count, solid.indices.length);
+  assert.ok(Math.abs(volume / (solid.volume ?? 0) - 1) < 1e-4, `${volume}`);
+  const ply = await downloaded(page, "ply");
+  const head = ply.subarray(0, ply.indexOf("end_header")).toString("latin1");
+  assert.match(head, /^ply\n/);
+  assert.equal(Number(/element face (\d+)/.exec(head)?.[1]), count);
+  for (const name of ["red", "green", "blue"]) assert.match(head, new RegExp(`property uchar ${name}\\n`));
+  const obj = (await downloaded(page, "obj")).toString("utf8").split("\n");
+  const faces = obj.filter((line) => line.startsWith("f ")).map((line) => line.slice(2).split(" ").map((corner) => corner.split("/")[0]));
+  assert.equal(faces.length, count);
+  const edges = new Set(faces.flatMap(([a, b2, c]) => [`${a} ${b2}`, `${b2} ${c}`, `${c} ${a}`]));
+  for (const edge of edges) assert.ok(edges.has(edge.split(" ").reverse().join(" ")), `${edge} has no neighbour`);
+  await pick(page, "solid-format", "png");
+  await page.locator("[data-box=solid-transparent]").check();
+  await field(page, "solid-width").fill("400");
+  await field(page, "solid-width").press("Enter");
+  await field(page, "solid-height").fill("300");
+  await field(page, "solid-height").press("Enter");
+  const png = PNG.sync.read(await downloaded(page, "png"));
+  assert.deepEqual([png.width, png.height, png.data[3]], [400, 300, 0]);
+  assert.equal(png.data[4 * (150 * 400 + 200) + 3], 255);
+  await page.keyboard.press("Escape");
+
+  // Heights and undo move the body; without a height there is none.
+  await field(page, "solid-height-1").fill("10");
+  await field(page, "solid-height-1").press("Enter");
+  await eventually(async () => assert.match(await page.locator("[data-fact=size]").innerText(), /× 40\.0\smm/));
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await raise.waitFor();
+});
+
+test("leaving gives the graphics context back; a lost one is waited for; a link and a reload come back to the solid", async (t) => {
+  const page = await open(t, {
+    viewport: { width: 640, height: 440 },
+    hash: writeLink({ document: { ...high, sampling: { scheme: "arc-length", counts: [16, 16] } }, view: "solid" }),
+    init: `
+      const contexts = (window.contexts = []);
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+        const context = getContext.call(this, kind, ...rest);
+        if (kind === "webgl2" && context && !contexts.includes(context)) contexts.push(context);
+        return context;
+      };`,
+  });
+  await shown(page);
+  const live = () => page.evaluate(() => /** @type {any} */ (window).contexts.map((/** @type {WebGL2RenderingContext} */ gl) => !gl.isContextLost()));
+  for (let turn = 1; turn <= 10; turn += 1) {
+    await pick(page, "mode", "figure");
+    await eventually(async () => assert.equal((await live()).filter(Boolean).length, 0));
+    await pick(page, "mode", "solid");
+    await shown(page);
+  }
+  assert.deepEqual(await live(), [...Array(10).fill(false), true]);
+
+  const message = page.locator(".solid-message");
+  await page.evaluate(() => {
+    const { contexts } = /** @type {any} */ (window);
+    /** @type {any} */ (window).losing = contexts.at(-1).getExtension("WEBGL_lose_context");
+    /** @type {any} */ (window).losing.loseContext();
+  });
+  await eventually(async () => assert.match(await message.innerText(), /comes back/));
+  await page.evaluate(() => /** @type {any} */ (window).losing.restoreContext());
+  await message.waitFor({ state: "hidden" });
+  await drawn(page);
+  assert.ok((await screenshot(page.locator("[data-space]"), "solid-restored")).colors() > 1000);
+
+  await page.keyboard.press("7");
+  await page.locator("[data-slider=up-to]").fill("0.4");
+  const view = (await screenshot(page.locator("[data-space]"), "solid-kept")).colors();
+  await page.reload();
+  await shown(page);
+  const slider = page.locator("[data-slider=up-to]");
+  await eventually(async () => assert.equal(await slider.getAttribute("aria-valuetext"), "s 0.40, stage 2 of 5"));
+  const again = (await screenshot(page.locator("[data-space]"), "solid-again")).colors();
+  assert.ok(Math.abs(again - view) < 0.02 * view, `${again} colours, ${view} before`);
+});
+
+test("without WebGL the page says so in place of the picture, and all else works", async (t) => {
+  const page = await open(t, {
+    hash: writeLink({ document: high, view: "solid" }),
+    init: `
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+        return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...rest);
+      };`,
+  });
+  await page.locator("[data-solid=shown]").waitFor({ state: "attached" });
+  assert.match(await page.locator(".solid-message").innerText(), /WebGL 2 is missing/);
+  await eventually(async () => assert.match(await status(page), /Watertight/));
+  assert.deepEqual(await audit(page, [".mode-stage", ".mode-aside", "#status"]), []);
+  await openExport(page, /** @type {any} */ ("solid"));
+  assert.ok(readStl(await downloaded(page, "stl")).count > 1000);
+  await pick(page, "solid-format", "png");
+  await page.locator("[data-solid-export]").click();
+  await eventually(async () => assert.match(await page.locator("[data-message=solid]").innerText(), /no WebGL 2/));
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("1");
+  await page.waitForSelector("#status[data-verdict=verified] [data-total=eta]");
+});
+
+test("on a phone the solid is turned by a finger, with targets of 44 pixels", async (t) => {
+  const page = await open(t, { ...PHONE, colorScheme: "dark", hash: writeLink({ document: high, view: "solid" }) });
+  await shown(page);
+  await page.locator(".solid-groups [data-tab=section]").click();
+  await pick(page, "section-axis", "x");
+  await drawn(page);
+  const small = await page.evaluate(() =>
+    [...document.querySelectorAll(".mode-stage button, .mode-aside :is(button, select, .segment label, .box), .modes .segment label")]
+      .filter((each) => each.checkVisibility())
+      .map((each) => ({ name: each.textContent || each.getAttribute("aria-label"), box: each.getBoundingClientRect() }))
+      .filter(({ box }) => box.width > 0 && (box.height < 32 || box.width < 24))
+      .map(({ name, box }) => `${name} ${box.width} x ${box.height}`),
+  );
+  assert.deepEqual(small, []);
+  const handle = await page.locator("[data-plane-handle]").boundingBox();
+  assert.ok(handle && handle.width >= 44 && handle.height >= 44);
+  const before = await screenshot(page.locator("[data-space]"), "solid-phone");
+  const [x, y] = await middle(page.locator("[data-space]"));
+  const session = await page.context().newCDPSession(page);
+  const touch = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {number} */ by) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x: x - 60 + by, y: y + 40 }] });
+  await touch("touchStart", 0);
+  for (const by of [20, 50, 80]) await touch("touchMove", by);
+  await touch("touchEnd", 0);
+  await drawn(page);
+  await eventually(async () => assert.ok((await screenshot(page.locator("[data-space]"), "solid-phone-turned")).difference(before) > 0.05));
+  assert.deepEqual(await audit(page, [".mode-stage", ".mode-aside", "#status"]), []);
+});

@@ -1,0 +1,271 @@
+/**
+ * The groups beside the solid: its measures, the heights of the curves, what is shown, and the section.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Group } from "../inspector/group.js"
+ * @import { NumberField } from "../controls/number-field.js"
+ * @import { StandardView } from "../space/camera.js"
+ * @import { Known } from "./status.js"
+ * @import { SectionAxis, SolidColor } from "./state.js"
+ *
+ * @typedef {object} Now
+ * @property {Known} known
+ * @property {[number, number] | null} extent of the section plane's way, document units
+ * @property {boolean} hasFace whether a cut has a face
+ */
+import { checkBox, segment } from "../controls/choices.js";
+import { numberField } from "../controls/number-field.js";
+import { row } from "../controls/row.js";
+import { select } from "../controls/select.js";
+import { slider } from "../controls/slider.js";
+import { h, write } from "../dom.js";
+import { editable, fixed } from "../format.js";
+import { editing } from "../inspector/edit.js";
+import { shownKey } from "../commands.js";
+import { keyOf } from "../space/keys.js";
+import { curveName } from "../state/app.js";
+import { changeCurve } from "../state/edits.js";
+import { arrowStep } from "../view.js";
+import { hasDepth } from "./raise.js";
+import { changeSolid, SOLID_LAYERS, solidUi } from "./state.js";
+import { measure, sidesOf } from "./status.js";
+import { words } from "./words.js";
+
+/** Largest height the format allows. */
+const FAR = 1e12;
+/** Steps of the section's slider. */
+const STEP = 0.001;
+
+/**
+ * @param {App} app
+ * @param {() => Now} now
+ * @param {{look: (view: StandardView) => void}} acts
+ * @returns {Group[]}
+ */
+export function createSolidGroups(app, now, { look }) {
+  return [showGroup(app, look), sectionGroup(app, now), heightsGroup(app), bodyGroup(app, now)];
+}
+
+/** @param {string} text @param {string} value @param {string} name */
+const fact = (text, value, name) =>
+  h("div", { class: "solid-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
+
+/** @param {App} app @param {() => Now} now @returns {Group} */
+function bodyGroup(app, now) {
+  const body = h("div", {});
+  let drawn = "";
+  return {
+    name: "body",
+    heading: words.groups.body,
+    body,
+    phrase() {
+      const { solid } = now().known;
+      return solid ? words.body.phrase(sidesOf(solid), app.store.document.unit) : words.body.none;
+    },
+    render() {
+      const { solid, worst, reason, lack } = now().known;
+      const { unit } = app.store.document;
+      const facts = /** @type {[string, string, string][]} */ (
+        solid
+          ? [
+              [words.body.size, words.body.phrase(sidesOf(solid), unit), "size"],
+              [words.body.volume, solid.volume === null ? words.body.open : measure(solid.volume, unit, 3), "volume"],
+              [words.body.area, measure(solid.area, unit, 2), "area"],
+              [words.body.triangles, fixed(solid.indices.length / 3, 0), "triangles"],
+              ...(worst.twist === null ? [] : [[words.body.twist, `${fixed(worst.twist, 1)}°`, "twist"]]),
+              ...(worst.flank === null ? [] : [[words.body.flank, `${fixed(worst.flank, 1)}°`, "flank"]]),
+            ]
+          : []
+      );
+      const key = JSON.stringify([facts, reason, lack]);
+      if (key === drawn) return;
+      drawn = key;
+      body.replaceChildren(...facts.map((each) => fact(...each)), ...(facts.length === 0 ? [h("p", { class: "solid-note" }, reason ?? lack ?? words.loading)] : []));
+    },
+  };
+}
+
+/** @param {App} app @returns {Group} */
+function heightsGroup(app) {
+  const list = h("div", {});
+  const note = h("p", { class: "solid-note" });
+  /** @type {{label: HTMLElement, field: NumberField}[]} */
+  let rows = [];
+  return {
+    name: "heights",
+    heading: words.groups.heights,
+    body: h("div", {}, list, note),
+    phrase: () => words.heights.phrase(app.store.document.curves.map(({ height }) => editable(height, 0))),
+    render() {
+      const { document } = app.store;
+      if (rows.length !== document.curves.length) {
+        rows = document.curves.map((_, i) => heightRow(app, i));
+        list.replaceChildren(...rows.map(({ label, field }) => row(label, field)));
+      }
+      document.curves.forEach((curve, i) => {
+        write(rows[i].label, curveName(document, i));
+        rows[i].field.set(curve.height);
+      });
+      write(note, document.curves.some(({ points }) => hasDepth(points)) ? words.heights.space : words.heights.note);
+    },
+  };
+}
+
+/** @param {App} app @param {number} index */
+function heightRow(app, index) {
+  const name = curveName(app.store.document, index);
+  const field = numberField(
+    { label: words.heights.of(name), name: `solid-height-${index}`, min: -FAR, max: FAR, step: () => arrowStep(app.store.document), decimals: 1 },
+    editing(app, (document, value) => changeCurve(document, index, (curve) => (curve.height === value ? curve : { ...curve, height: value }))),
+  );
+  return { label: h("span", {}), field };
+}
+
+/** @param {App} app @param {(view: StandardView) => void} look @returns {Group} */
+function showGroup(app, look) {
+  const color = select(
+    {
+      label: words.show.color,
+      name: "solid-color",
+      choices: /** @type {const} */ (["material", "fraction", "twist", "flank"]).map((value) => ({ value, text: words.show.colors[value] })),
+    },
+    (value) => changeSolid(app, { color: /** @type {SolidColor} */ (value) }),
+  );
+  const material = h("select", { "aria-label": words.show.material, "data-select": "solid-material" });
+  material.addEventListener("change", () => changeSolid(app, { material: Number(material.value) }));
+  const materialRow = row(words.show.material, { element: h("span", { class: "field select" }, material) });
+  const note = h("p", { class: "solid-note" });
+  const boxes = SOLID_LAYERS.map((name) => ({
+    name,
+    ...checkBox({ name: `solid-${name}`, text: [words.show.layers[name]] }, (on) => {
+      const { layers } = solidUi(app);
+      changeSolid(app, { layers: SOLID_LAYERS.filter((layer) => (layer === name ? on : layers.includes(layer))) });
+    }),
+  }));
+  const views = /** @type {const} */ (["iso", "front", "side", "top"]).map((view) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "push solid-view",
+        "data-solid-view": view,
+        title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`,
+        onclick: () => look(view),
+      },
+      words.show.views[view],
+    ),
+  );
+  const body = h(
+    "div",
+    {},
+    row(words.show.color, color),
+    materialRow,
+    note,
+    h("div", { class: "layers solid-layers" }, ...boxes.map(({ element }) => element)),
+    h("div", { class: "solid-views", role: "group", "aria-label": words.show.view }, ...views),
+  );
+  return {
+    name: "show",
+    heading: words.groups.show,
+    body,
+    phrase: () => words.show.colors[solidUi(app).color],
+    render() {
+      const shown = solidUi(app);
+      const { materials } = app.store.document;
+      color.set(shown.color);
+      materialRow.hidden = shown.color !== "fraction";
+      while (material.options.length < materials.length) material.append(h("option", {}));
+      while (material.options.length > materials.length) material.remove(materials.length);
+      materials.forEach(({ name }, i) => {
+        write(material.options[i], name);
+        material.options[i].value = String(i);
+      });
+      const chosen = String(Math.min(shown.material, materials.length - 1));
+      if (material.value !== chosen) material.value = chosen;
+      write(note, words.show.notes[shown.color]);
+      note.hidden = note.textContent === "";
+      for (const { name, set } of boxes) set(shown.layers.includes(name));
+    },
+  };
+}
+
+/** @param {App} app @param {() => Now} now @returns {Group} */
+function sectionGroup(app, now) {
+  const change = (/** @type {Partial<import("./state.js").Section>} */ patch) => changeSolid(app, { section: { ...solidUi(app).section, ...patch } });
+  const axis = segment(
+    {
+      label: words.section.axis,
+      name: "section-axis",
+      choices: /** @type {const} */ (["off", "x", "y", "z", "view"]).map((value) => ({ value, text: words.section.axes[value] })),
+    },
+    (value) => change({ axis: /** @type {SectionAxis} */ (value) }),
+  );
+  const place = slider({ label: words.section.atField, name: "section-at", min: 0, max: 1, step: STEP }, { change: (at) => change({ at }) });
+  const field = numberField(
+    { label: words.section.atField, name: "section-place", min: -FAR, max: FAR, step: () => arrowStep(app.store.document), decimals: 1, rounded: true },
+    {
+      change(value) {
+        const { extent } = now();
+        if (extent) change({ at: shareOf(value, extent, solidUi(app).section.axis) });
+      },
+    },
+  );
+  field.element.classList.add("short");
+  const other = checkBox({ name: "section-other", text: [words.section.other] }, (flipped) => change({ flipped }));
+  const placeRow = row(words.section.at, place, field);
+  const otherRow = row("", other);
+  const note = h("p", { class: "solid-note" });
+  return {
+    name: "section",
+    heading: words.groups.section,
+    body: h("div", {}, row(words.section.axis, axis), placeRow, otherRow, note),
+    phrase() {
+      const { axis, at } = solidUi(app).section;
+      const { extent } = now();
+      return axis === "off" || !extent ? words.section.off : sectionText(axis, placeOf(at, extent, axis), app.store.document.unit);
+    },
+    render() {
+      const { section } = solidUi(app);
+      const { extent, hasFace } = now();
+      const isOn = section.axis !== "off";
+      axis.set(section.axis);
+      placeRow.hidden = !isOn;
+      otherRow.hidden = !isOn;
+      note.hidden = !isOn;
+      place.set(section.at);
+      other.set(section.flipped);
+      if (extent && isOn) {
+        const value = placeOf(section.at, extent, section.axis);
+        field.set(Number(value.toPrecision(9)));
+        place.input.setAttribute("aria-valuetext", sectionText(section.axis, value, app.store.document.unit));
+      }
+      write(note, hasFace ? words.section.note : words.section.openNote);
+    },
+  };
+}
+
+/**
+ * Where the plane stands: on its axis, or across the view from the middle of the body.
+ * @param {number} at
+ * @param {[number, number]} extent
+ * @param {SectionAxis} axis
+ */
+export function placeOf(at, extent, axis) {
+  return axis === "view" ? (at - 0.5) * (extent[1] - extent[0]) : extent[0] + at * (extent[1] - extent[0]);
+}
+
+/**
+ * The inverse of `placeOf`, within the body.
+ * @param {number} place
+ * @param {[number, number]} extent
+ * @param {SectionAxis} axis
+ */
+export function shareOf(place, [low, high], axis) {
+  if (low === high) return 0.5;
+  const from = axis === "view" ? (low - high) / 2 : low;
+  return Math.min(1, Math.max(0, (place - from) / (high - low)));
+}
+
+/** @param {SectionAxis} axis @param {number} place @param {string} unit */
+export const sectionText = (axis, place, unit) => words.section.value(axis, `${fixed(place, 1)}\u00a0${unit}`.trim());
+

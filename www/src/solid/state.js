@@ -1,0 +1,159 @@
+/**
+ * What the picture of the solid shows besides the document: kept with the page, never in the document.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { CurvesDocument } from "../types.js"
+ * @import { Camera } from "../space/camera.js"
+ * @import { Vector } from "../space/vector.js"
+ * @import { Plane } from "../space/plane.js"
+ * @import { Solid, SolidOptions } from "../../../js/directrix.js"
+ *
+ * @typedef {Solid & {bounds: NonNullable<Solid["bounds"]>}} Whole A solid that is there.
+ * @typedef {"rulings" | "stages" | "curves" | "caps" | "light" | "wireframe"} SolidLayer
+ * @typedef {"material" | "fraction" | "twist" | "flank"} SolidColor
+ * @typedef {"off" | "x" | "y" | "z" | "view"} SectionAxis
+ *
+ * @typedef {object} Section
+ * @property {SectionAxis} axis that the plane stands across
+ * @property {number} at its place on the way through the body, 0 to 1
+ * @property {boolean} flipped whether the other side is taken away
+ *
+ * @typedef {object} SolidUi
+ * @property {{camera: Camera, of: string} | null} seen from where, and which opening of a document that was; null for the first view
+ * @property {SolidColor} color
+ * @property {number} material index of the material whose fraction is shown
+ * @property {SolidLayer[]} layers
+ * @property {Section} section
+ * @property {number} upTo how much of the body stands, 0 to 1
+ */
+import { extentAlong } from "../space/plane.js";
+import { scaled } from "../space/vector.js";
+import { segmentsOf } from "../state/stages.js";
+
+export const SOLID_LAYERS = /** @type {const} */ (["rulings", "stages", "curves", "caps", "light", "wireframe"]);
+
+/** @type {Readonly<SolidUi>} */
+const FIRST = {
+  seen: null,
+  color: "material",
+  material: 0,
+  layers: ["rulings", "stages", "curves", "caps", "light"],
+  section: { axis: "off", at: 0.5, flipped: false },
+  upTo: 1,
+};
+
+/** @param {App} app @returns {Readonly<SolidUi>} */
+export const solidUi = ({ ui }) => ui.value.solid ?? FIRST;
+
+/** @param {App} app @param {Partial<SolidUi>} patch */
+export function changeSolid(app, patch) {
+  app.ui.set({ solid: { ...solidUi(app), ...patch } });
+}
+
+/**
+ * The colours that the kernel is asked for.
+ * @param {SolidUi} shown
+ * @param {number} materials how many there are
+ * @returns {SolidOptions["color"]}
+ */
+export function colorOf({ color, material }, materials) {
+  return color === "fraction" ? { material: Math.min(material, materials - 1) } : color;
+}
+
+/** @type {Readonly<{[axis in "x" | "y" | "z"]: Vector}>} */
+const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+/**
+ * The plane of a section; what its normal points to is kept.
+ * @param {Section} section
+ * @param {ArrayLike<number>} positions of the body
+ * @param {Vector} back from the body to the eye
+ * @returns {{plane: Plane, extent: [number, number]} | null} with the offsets at the two ends of its way
+ */
+export function sectionPlane({ axis, at, flipped }, positions, back) {
+  if (axis === "off" || positions.length === 0) return null;
+  // On the axes the side towards the viewer of the first view is taken away, across the view that towards the eye.
+  const away = axis === "view" ? scaled(back, -1) : axis === "y" ? AXES.y : scaled(AXES[axis], -1);
+  const normal = flipped ? scaled(away, -1) : away;
+  const along = axis === "view" ? back : AXES[axis];
+  const extent = extentAlong(along, positions);
+  const offset = extent[0] + at * (extent[1] - extent[0]);
+  const same = normal[0] * along[0] + normal[1] * along[1] + normal[2] * along[2] > 0;
+  return { plane: { normal, offset: same ? offset : -offset }, extent };
+}
+
+/** Rows of the mesh from curve to curve at least, so that the surface looks smooth. */
+const ROWS = 24;
+/** Rows that the kernel makes at most. */
+const MOST_ROWS = 200;
+
+/** Rows of the mesh of a document: a multiple of its stages, each of which is a row. @param {CurvesDocument} document */
+export function rowsOf(document) {
+  const stages = segmentsOf(document);
+  return Math.min(MOST_ROWS, stages * Math.ceil(ROWS / stages));
+}
+
+/**
+ * The in-between curves of a document among the rows of its mesh.
+ * @param {CurvesDocument} document
+ * @param {Float32Array[]} rows the first and the last of which are curves
+ */
+export function stagesAmong(document, rows) {
+  const every = Math.round((rows.length - 1) / segmentsOf(document));
+  return every < 1 ? [] : rows.slice(1, -1).filter((_, i) => (i + 1) % every === 0);
+}
+
+/**
+ * Heights of the first and the last curve where every curve lies at one height and these rise or fall all the way; null else.
+ * @param {Pick<Solid, "curves">} solid
+ * @returns {number[] | null} of all curves
+ */
+export function levelsOf({ curves }) {
+  const levels = curves.map((points) => {
+    const [low, high] = extentAlong(AXES.z, points);
+    return { level: points[2], isFlat: high - low <= 1e-6 * Math.max(Math.abs(high), Math.abs(low), 1e-30) };
+  });
+  const heights = levels.map(({ level }) => level);
+  const steps = heights.slice(1).map((height, i) => Math.sign(height - heights[i]));
+  const isEven = steps.length > 0 && steps.every((step) => step !== 0 && step === steps[0]);
+  return isEven && levels.every(({ isFlat }) => isFlat) ? heights : null;
+}
+
+/**
+ * The height at a share of the way through all curves; every curve begins an equal share.
+ * @param {number[]} levels
+ * @param {number} s 0 to 1
+ */
+export function heightAt(levels, s) {
+  const parts = levels.length - 1;
+  const k = Math.min(parts - 1, Math.floor(s * parts));
+  return levels[k] + (s * parts - k) * (levels[k + 1] - levels[k]);
+}
+
+/**
+ * The share of the way at a height: the inverse of `heightAt`.
+ * @param {number[]} levels
+ * @param {number} height
+ */
+export function shareAt(levels, height) {
+  const parts = levels.length - 1;
+  const isRising = levels[parts] > levels[0];
+  const within = (/** @type {number} */ level) => (isRising ? height <= level : height >= level);
+  const found = levels.slice(1).findIndex(within);
+  const k = found < 0 ? parts - 1 : found;
+  const s = (k + (height - levels[k]) / (levels[k + 1] - levels[k])) / parts;
+  return Math.min(1, Math.max(0, s));
+}
+
+/**
+ * The plane above which nothing stands yet while the body is built up.
+ * @param {number[] | null} levels
+ * @param {number} upTo
+ * @returns {Plane | null}
+ */
+export function upToPlane(levels, upTo) {
+  if (!levels || upTo >= 1) return null;
+  const height = heightAt(levels, upTo);
+  const isRising = levels[levels.length - 1] > levels[0];
+  return isRising ? { normal: [0, 0, -1], offset: -height } : { normal: [0, 0, 1], offset: height };
+}
