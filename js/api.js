@@ -1,6 +1,7 @@
 import { DirectrixError, fromModule } from "./errors.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
+import { spanOf } from "./span.js";
 import { greedyText, setsOf, stepsOf } from "./steps.js";
 import { toText } from "./text.js";
 
@@ -100,7 +101,7 @@ export function createApi(engine) {
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
-    cells: (document) => ask(() => engine.cells(toText(document))),
+    cells: (document) => ask(() => whole(engine, "cells").cells(toText(document))),
     isolines: (document, options = {}) =>
       ask(() => {
         const { levels = TENTHS } = options;
@@ -125,6 +126,7 @@ export function createApi(engine) {
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
+    span: (document, span) => ask(() => spanOf(engine.defaults(toText(document)), span)),
     explain: (document, line) =>
       ask(() => {
         if (!Number.isInteger(line) || line < 0) {
