@@ -2,6 +2,7 @@ import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
+import { spanOf } from "./span.js";
 import { greedyText, setsOf, stepsOf } from "./steps.js";
 import { toText } from "./text.js";
 
@@ -113,7 +114,7 @@ export function createApi(engine) {
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
-    cells: (document) => ask(() => engine.cells(toText(document))),
+    cells: (document) => ask(() => whole(engine, "cells").cells(toText(document))),
     isolines: (document, options = {}) =>
       ask(() => {
         const { levels = TENTHS } = options;
@@ -136,8 +137,9 @@ export function createApi(engine) {
         return whole(engine, "svg").svg(text, toText(options, "options"), describe(engine.match(text, false)));
       }),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
-    insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
+    insertPoint: (document, curve, u) => ask(() => whole(engine, "insertPoint").insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
+    span: (document, span) => ask(() => spanOf(engine.defaults(toText(document)), span)),
     explain: (document, line) =>
       ask(() => {
         if (!Number.isInteger(line) || line < 0) {

@@ -24,6 +24,8 @@ pub enum Code {
     Kind,
     /// A value of the format that this release does not compute yet.
     NotYet,
+    /// A document that only the module `full` computes.
+    NotInModule,
     /// A stated limit of size is passed.
     Limit,
     /// Too few control points for the degree, or ends that do not close.
@@ -52,6 +54,7 @@ impl Code {
         Self::Version,
         Self::Kind,
         Self::NotYet,
+        Self::NotInModule,
         Self::Limit,
         Self::Points,
         Self::Knots,
@@ -74,6 +77,7 @@ impl Code {
             Self::Version => "version",
             Self::Kind => "kind",
             Self::NotYet => "not-yet",
+            Self::NotInModule => "not-in-module",
             Self::Limit => "limit",
             Self::Points => "points",
             Self::Knots => "knots",

@@ -15,6 +15,7 @@ mod error;
 mod fields;
 #[cfg(feature = "hyperpatch")]
 mod hyperpatch;
+#[cfg(feature = "edit")]
 mod insert_point;
 mod iso_options;
 mod json;
@@ -36,6 +37,8 @@ mod solid_options;
 mod solve;
 #[cfg(feature = "solid")]
 mod space;
+#[cfg(feature = "stack")]
+mod stack;
 mod work;
 
 #[cfg(feature = "amounts")]
@@ -54,6 +57,7 @@ pub use hyperpatch::{
     CellSpec, CoefficientSpec, HyperpatchDocument, HyperpatchKind, HyperpatchModel, OperationSpec,
     read_hyperpatch,
 };
+#[cfg(feature = "edit")]
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;
@@ -79,3 +83,5 @@ pub use solid_job::{MOST_VERTICES, SolidJob};
 #[cfg(feature = "solid")]
 pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};
+#[cfg(feature = "stack")]
+pub use stack::{Stacked, span_document};

@@ -17,6 +17,7 @@ mod shell;
 #[cfg(feature = "hyperpatch")]
 mod skin;
 mod stl;
+mod ties;
 
 pub use angles::{flank_angle, twist_angle};
 pub use cap::{Cap, CapError};

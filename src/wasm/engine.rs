@@ -4,7 +4,7 @@ use super::clock;
 use super::error::to_js;
 use super::json::parse;
 use super::painting::Painting;
-use super::results::{MatchResult, ViewResult, cells, isolines, probe, sets, stages, steps, to_value};
+use super::results::{MatchResult, ViewResult, isolines, probe, sets, stages, steps, to_value};
 use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Memory, Solution, Solve};
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure};
 use glam::DVec2;
@@ -56,15 +56,12 @@ impl Engine {
             return Err(to_js(&DocumentError::new(Code::Range, "options.refine", message)));
         }
         let solution = self.solve(text)?;
+        #[cfg(feature = "stack")]
+        if let Some(stack) = solution.stack() {
+            return to_value(&super::stack::stages(&solution, stack, refine));
+        }
         let document = solution.model.document();
         to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, document)))
-    }
-
-    /// Unit cells.
-    pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
-        let document = solution.model.document();
-        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, document)))
     }
 
     /// Lines of equal fraction of a material.
@@ -73,7 +70,14 @@ impl Engine {
         let options = parse(options)
             .and_then(|options| IsoOptions::read(&options, solution.model.materials().len()))
             .map_err(|e| to_js(&e))?;
-        to_value(&solution.band().map(|band| isolines(band, &options)))
+        #[cfg(feature = "stack")]
+        if let Some(stack) = solution.stack() {
+            let blend = stack.blend.as_ref();
+            let lines = blend.map(|it| isolines(|material, level| it.iso_lines(material, level), &options));
+            return to_value(&lines);
+        }
+        let lines = solution.band();
+        to_value(&lines.map(|band| isolines(|material, level| band.iso_lines(material, level), &options)))
     }
 
     /// What the band holds at a point.
@@ -84,12 +88,12 @@ impl Engine {
 
     /// The steps of the greedy construction, of a document with that method: lists of numbers, which `js/steps.js` names.
     pub fn steps(&mut self, text: &str) -> Result<JsValue, JsValue> {
-        to_value(&steps(&*self.solve(text)?))
+        to_value(&steps(&*self.solve_pair(text, "steps")?))
     }
 
     /// What a vertex of a curve, 0 or 1, sees and may have after so many accepted lines, as lists of numbers.
     pub fn sets(&mut self, text: &str, step: usize, curve: usize, vertex: usize) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
+        let solution = self.solve_pair(text, "sets")?;
         to_value(&sets(&solution, step, curve, vertex).map_err(|e| to_js(&e))?)
     }
 
@@ -107,13 +111,6 @@ impl Engine {
         let document = read(text).map_err(|e| to_js(&e))?;
         let model = document::Model::new(document).map_err(|e| to_js(&e))?;
         to_value(&ViewResult::from(options.fit(&model)))
-    }
-
-    /// The document with one more control point on a curve, which keeps its shape.
-    #[wasm_bindgen(js_name = insertPoint)]
-    pub fn insert_point(&self, text: &str, curve: usize, u: f64) -> Result<JsValue, JsValue> {
-        let document = read(text).and_then(|document| document::insert_point(document, curve, u));
-        to_value(&document.map_err(|e| to_js(&e))?)
     }
 
     /// The document with all defaults spelt out.
@@ -140,6 +137,18 @@ impl Engine {
 
     pub(super) fn solve(&mut self, text: &str) -> Result<Rc<Solution>, JsValue> {
         self.solve_to(text, false)
+    }
+
+    /// The solution of a document of at most two curves, for a function that takes no more.
+    pub(super) fn solve_pair(&mut self, text: &str, name: &str) -> Result<Rc<Solution>, JsValue> {
+        let solution = self.solve(text)?;
+        let count = solution.model.curves().len();
+        if count > 2 {
+            let message =
+                format!("{count} curves were found; `{name}` takes 2, such as `span` gives of a stack");
+            return Err(to_js(&DocumentError::new(Code::Range, "curves", message)));
+        }
+        Ok(solution)
     }
 
     fn solve_to(&mut self, text: &str, coarse: bool) -> Result<Rc<Solution>, JsValue> {
@@ -175,7 +184,7 @@ impl Engine {
     }
 }
 
-fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
+pub(super) fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::check_length(text)?;
     document::read(&parse(text)?)
 }

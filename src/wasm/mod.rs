@@ -5,6 +5,8 @@
 
 #[cfg(feature = "amounts")]
 mod amounts;
+#[cfg(feature = "edit")]
+mod edit;
 mod engine;
 mod error;
 #[cfg(feature = "explain")]
@@ -20,6 +22,8 @@ mod paths;
 mod results;
 #[cfg(feature = "solid")]
 mod solid;
+#[cfg(feature = "stack")]
+mod stack;
 #[cfg(feature = "svg")]
 mod svg;
 

@@ -11,6 +11,7 @@ import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
+import { later } from "../later.js";
 import { attachMenu } from "../frame/menu-button.js";
 import { curveMark, icon, symbol } from "../icons.js";
 import { curveName, pointName } from "../state/app.js";
@@ -29,7 +30,7 @@ const SCALES = { min: 1, max: 10000 };
 /** Commands of the menu behind the three dots. */
 const MORE = [
   ...["draw", "line", "select-all", "select-curve", "line", "duplicate-point", "duplicate-curve", "rename-curve"],
-  ...["reverse-curve", "swap-curves", "smooth-curve", "line", "delete-curve"],
+  ...["reverse-curve", "swap-curves", "smooth-curve", "line", "add-curve", "insert-curve", "line", "delete-curve"],
 ];
 
 /** @type {Alignment[]} */
@@ -43,8 +44,11 @@ const SPREADS = ["across", "down"];
  */
 export function curvesGroup(app) {
   const words = strings.curves;
-  const selection = () => app.ui.value.selection ?? whole(app.store.document.curves.length === 2 ? 1 : 0);
-  const rows = /** @type {const} */ ([0, 1]).map((index) => {
+  const selection = () => app.ui.value.selection ?? whole(Math.max(0, app.store.document.curves.length - 1));
+  const list = h("div", { class: "curve-rows" });
+  /** @type {{button: HTMLElement, name: HTMLElement, shape: HTMLElement}[]} */
+  const rows = [];
+  const addRow = (/** @type {number} */ index) => {
     const name = h("span", {});
     const shape = h("span", { class: "aside number" });
     const button = h(
@@ -59,7 +63,12 @@ export function curvesGroup(app) {
       name,
       shape,
     );
-    return { button, name, shape };
+    rows.push({ button, name, shape });
+    list.append(h("div", { class: "curve-line" }, button));
+  };
+  const tools = later(app, () => app.store.document.curves.length > 1, async () => {
+    const { createStackRows } = await import("../stack/stack-rows.js");
+    return () => createStackRows(app, list);
   });
 
   const place = (/** @type {0 | 1} */ axis) =>
@@ -184,7 +193,7 @@ export function curvesGroup(app) {
     degreeRow,
   );
   const none = h("p", { class: "note" }, words.none);
-  const body = h("div", {}, ...rows.map(({ button }) => button), none, details);
+  const body = h("div", {}, list, none, details);
 
   return {
     name: "curves",
@@ -196,14 +205,16 @@ export function curvesGroup(app) {
       const { document } = app.store;
       const chosen = selection();
       const { curve, points } = chosen;
+      while (rows.length < document.curves.length) addRow(rows.length);
       rows.forEach((item, index) => {
         const shape = document.curves[index];
-        item.button.hidden = !shape;
+        /** @type {HTMLElement} */ (item.button.parentElement).hidden = !shape;
         if (!shape) return;
         write(item.name, curveName(document, index));
         write(item.shape, words.shape(shape.degree, handleCount(shape)));
         attribute(item.button, "aria-pressed", String(index === curve));
       });
+      tools.render();
       const shape = document.curves[curve];
       details.hidden = !shape;
       none.hidden = Boolean(shape);
