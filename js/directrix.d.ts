@@ -777,7 +777,7 @@ export interface Hyperpatch {
   volume(): number;
   /** Volume of each material. */
   amounts(): number[];
-  /** `steps` along each axis of a cell, 1 to 64, default 12. */
+  /** `steps` along each axis of a cell, 1 to 64, default 8. */
   section(plane: { normal: Triple; offset?: number; point?: Triple }, options?: { steps?: number }): BodySection;
   /** Default of the chord tolerance: a thousandth of the diagonal of the body. */
   surface(options?: { tolerance?: number }): BodySurface;

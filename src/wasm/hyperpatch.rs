@@ -108,7 +108,7 @@ impl Asking {
                 bag.doubles("contacts", &contacts.iter().flat_map(contact).collect::<Vec<_>>())?;
             }
             Answer::Sharing(parts) => shared(&bag, parts)?,
-            Answer::Grid(components) => grid(&bag, components)?,
+            Answer::Grid(found) => grid(&bag, found.components())?,
             Answer::File(bytes) => return Ok(Uint8Array::from(bytes.as_slice()).into()),
         }
         Ok(bag.0.into())
