@@ -22,6 +22,7 @@ import { strings } from "./strings.js";
 import { fit, zoomBy } from "./stage/zoom.js";
 import { curveName } from "./state/app.js";
 import { canRemovePoints } from "./state/edits.js";
+import { hasSpace } from "./state/in-space.js";
 import { isWhole } from "./state/selection.js";
 
 const words = strings.commands;
@@ -32,6 +33,8 @@ const curveCommands = () => import("./stage/curve-commands.js");
 const needsTwo = ({ store }) => (store.document.curves.length === 2 ? null : words.needsTwo);
 /** @type {(app: App) => string | null} */
 const needsCurve = ({ ui }) => (ui.value.selection ? null : words.needsCurve);
+/** @type {(app: App) => string | null} */
+const planeOnly = ({ store }) => (hasSpace(store.document) ? words.planeOnly : null);
 /** @type {(app: App) => string | null} */
 const needsPoint = ({ ui }) => (ui.value.selection?.points.length ? null : strings.curves.removeNone);
 
@@ -128,6 +131,7 @@ export const COMMANDS = [
     text: drawText,
     sheet: words.draw,
     keys: ["D"],
+    why: planeOnly,
     run: async (app) => (await import("./stage/draw.js")).startDrawing(app),
   },
   { name: "draw-point", topic: "draw", text: words.drawPoint, keys: [words.click, "Space"] },
@@ -190,7 +194,7 @@ export const COMMANDS = [
     text: duplicateText,
     sheet: words.duplicateCurve,
     keys: ["Ctrl+D"],
-    why: needsCurve,
+    why: (app) => needsCurve(app) ?? planeOnly(app),
     run: async (app) => (await curveCommands()).duplicate(app),
   },
   {
@@ -224,6 +228,7 @@ export const COMMANDS = [
     why: (app) => {
       const { selection } = app.ui.value;
       if (!selection) return words.needsCurve;
+      if (hasSpace(app.store.document)) return words.planeOnly;
       return cornersOf(app, selection.curve) > 0 ? null : words.noCorners;
     },
     run: async (app) => (await curveCommands()).smooth(app),

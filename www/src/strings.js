@@ -79,6 +79,7 @@ const commands = {
   needsTwo: "It needs two curves",
   needsCurve: "Select a curve first",
   noCorners: "It has no corner",
+  planeOnly: "Not with curves in space",
   click: "Click",
   doubleClick: "Double click",
   doubleClickCurve: "Double click on a curve",
@@ -285,7 +286,11 @@ export const strings = {
     point: (/** @type {string} */ name) => `Point ${name}`,
     center: "Centre",
     name: "Name, height",
+    nameAlone: "Name",
     nameField: "Curve name",
+    inSpace: "In space",
+    assumed: (/** @type {string} */ normal, /** @type {string} */ deviation, /** @type {string | null} */ gap) =>
+      `Seen along (${normal}), up to ${deviation} off its plane${gap === null ? "" : `; lengths count the mean gap ${gap}`}.`,
     height: "Height",
     removeNone: "Select a control point first",
     more: "More commands",
@@ -557,6 +562,7 @@ export const strings = {
   import: {
     heading: (/** @type {string} */ file) => `Import: ${file}`,
     pasted: "Pasted shapes",
+    inPlane: "shapes lie in the plane, and the curves of this document in space; open a new one first",
     shapes: "Shapes",
     skipped: (/** @type {number} */ count) => `${count} skipped`,
     tolerance: "Tolerance",

@@ -5,6 +5,7 @@
  */
 import { refuse } from "../files/open.js";
 import { problem } from "../painter.js";
+import { hasSpace } from "../state/in-space.js";
 import { strings } from "../strings.js";
 import { showShapes } from "./panel.js";
 
@@ -16,6 +17,10 @@ import { showShapes } from "./panel.js";
  * @returns {Promise<boolean>} whether there was anything to offer
  */
 export async function importText(app, name, text) {
+  if (hasSpace(app.store.document)) {
+    refuse(app, name, strings.import.inPlane);
+    return false;
+  }
   try {
     const found = await app.kernel.readShapes(text, { format: "auto" });
     if (found.shapes.length === 0) {
