@@ -1,6 +1,7 @@
 import { DirectrixError, fromModule } from "./errors.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
+import { spanOf } from "./span.js";
 import { greedyText, setsOf, stepsOf } from "./steps.js";
 import { toText } from "./text.js";
 
@@ -125,6 +126,7 @@ export function createApi(engine) {
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
     insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
+    span: (document, span) => ask(() => spanOf(engine.defaults(toText(document)), span)),
     explain: (document, line) =>
       ask(() => {
         if (!Number.isInteger(line) || line < 0) {

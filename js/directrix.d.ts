@@ -50,12 +50,12 @@ export interface CurvesDocument {
   title?: string;
   unit?: string;
   materials?: Material[];
-  /** Two; fewer while they are being drawn. */
+  /** Two, or a stack of up to 16, of which neighbours are matched; fewer while they are being drawn. */
   curves: Curve[];
   sampling?: {
     scheme?: "parameter" | "arc-length" | "adaptive";
     /** Samples of each curve; adaptive samples ignore it. */
-    counts?: [number, number];
+    counts?: number[];
     /** Of adaptive samples: greatest distance of a curve from the chords. */
     tolerance?: number;
     /** Of adaptive samples: degrees. */
@@ -81,7 +81,8 @@ export interface CurvesDocument {
     policy?: "strict" | "repair";
     /** Of open curves. */
     ends?: "tied" | "free";
-    pins?: { u: number; v: number }[];
+    /** `pair` is the span of a stack that the pin belongs to: the number of its first curve. */
+    pins?: { u: number; v: number; pair?: number }[];
     printed?: ("normals" | "negative" | "stop" | "removal" | "order" | "heights" | "stages")[];
   };
   blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
@@ -117,8 +118,10 @@ export interface Projection {
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "flat" | "open-sheet" | "uncapped" | "rounded";
+  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "order" | "overlap" | "no-thread" | "flat" | "open-sheet" | "uncapped" | "rounded";
   message: string;
+  /** Of a stack: the span that the remark is about, whose lines and vertices it numbers. */
+  span?: number;
   curve?: number;
   vertices?: number[];
   lines?: number[];
@@ -218,6 +221,12 @@ export interface Match {
   optimumChange: number | null;
   /** Whether the refinement on the curves was left out, which a call without `coarse` does. */
   coarse: boolean;
+  /** Of a stack alone: the result of every pair of neighbours, as of a document of its own. */
+  spans?: Match[];
+  /** Of a stack alone: the place s of every curve, from 0 to 1; empty unless `ok`. */
+  knots?: number[];
+  /** Of a stack alone: the parameters of every thread on every curve, ascending beyond the ends of the domains; empty unless `ok`. */
+  threads?: number[][];
   /** Of curves in space. */
   projection?: Projection;
 }
@@ -272,7 +281,7 @@ export interface Explanation {
   ends: [Standing, Standing];
 }
 
-/** A closed polyline at the share s of the way from curve 1 to curve 2. */
+/** A polyline at the share s of the way from the first curve to the last one, closed where the curves are. */
 export interface Stage {
   s: number;
   points: Point[];
@@ -347,6 +356,8 @@ export interface IsolineOptions {
 
 /** What the band holds at a point. */
 export interface Probe {
+  /** Of a stack alone: the span that holds the point, to which `line`, `u` and `v` belong. */
+  span?: number;
   /** Index of the nearest ruling line: among the pairs where there are pairs. */
   line: number;
   s: number;
@@ -642,6 +653,8 @@ export interface Directrix {
   fit(document: DocumentInput, options: PictureSize): View;
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
+  /** The document of two neighbours of a stack, curve `span` and the next, for functions that take two curves. */
+  span(document: DocumentInput, span: number): CurvesDocument;
   /** null where there is no such line. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   explain(document: DocumentInput, line: number): Explanation | null;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */

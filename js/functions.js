@@ -12,6 +12,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "fit",
   "insertPoint",
   "defaults",
+  "span",
   "explain",
   "readShapes",
   "fitCurve",

@@ -11,7 +11,8 @@
  * @param {import("./directrix.js").Match} match
  * @returns {string}
  */
-export function describe({ diagnostics, totals, samples, gap, gapKind }) {
+export function describe({ ok, diagnostics, totals, samples, gap, gapKind, spans }) {
+  if (spans) return describeStack({ ok, diagnostics, spans });
   const shown = totals.pairs ?? totals.lines;
   if (samples.length < 2) return samples.length === 0 ? "No curve yet" : "One curve, not matched yet";
   if (!shown) return `The two curves are not matched${diagnostics[0] ? `: ${diagnostics[0].message}` : ""}`;
@@ -34,6 +35,35 @@ export function describe({ diagnostics, totals, samples, gap, gapKind }) {
 }
 
 /**
+ * A stack: what all spans count together, and the least eta of them with its span.
+ *
+ * @param {{ ok: boolean, diagnostics: import("./directrix.js").Diagnostic[], spans: import("./directrix.js").Match[] }} match
+ */
+function describeStack({ ok, diagnostics, spans }) {
+  const shown = spans.map(({ totals }) => totals.pairs ?? totals.lines);
+  const missing = shown.indexOf(null);
+  const why = diagnostics.find(({ span, code }) => span === missing || code === "order")?.message;
+  if (missing >= 0) return `Curves ${missing + 1} and ${missing + 2} are not matched${why ? `: ${why}` : ""}`;
+  const sum = (/** @type {(totals: import("./directrix.js").LineTotals) => number} */ of) =>
+    shown.reduce((all, totals) => all + (totals ? of(totals) : 0), 0);
+  const bare = sum(({ uncovered }) => uncovered[0].length + uncovered[1].length);
+  const etas = shown.map((totals) => totals?.eta ?? Infinity);
+  const least = Math.min(...etas);
+  const blend = ok ? undefined : diagnostics.find(({ code }) => ["order", "overlap", "no-thread"].includes(code));
+  return [
+    `${spans.length + 1} curves`,
+    counted(sum(({ count }) => count), "line", "lines"),
+    `${sum(({ crossings }) => crossings) || "none"} crossing`,
+    `${sum(({ blocked }) => blocked) || "none"} blocked`,
+    bare > 0 && `${counted(bare, "sample", "samples")} without a line`,
+    least < Infinity && `least eta ${least.toFixed(3)} between curves ${etas.indexOf(least) + 1} and ${etas.indexOf(least) + 2}`,
+    blend && `not blended: ${blend.message}`,
+  ]
+    .filter(Boolean)
+    .join(", ");
+}
+
+/**
  * The curves of a document, in one sentence each: degree, control points, width and height, and what they are made of at their first key.
  *
  * @param {import("./directrix.js").CurvesDocument} document
@@ -46,7 +76,7 @@ export function describeCurves({ curves, materials = [], unit = "mm" }) {
       const held = new Set(composition.flatMap(({ mix }) => mix.flatMap((share, i) => (share > 0 ? [i] : []))));
       const made = materials.filter((_, i) => held.has(i)).map((material) => material.name);
       return (
-        `${name || (index === 0 ? "First curve" : "Second curve")}: degree ${degree}, ` +
+        `${name || (curves.length > 2 ? `Curve ${index + 1}` : index === 0 ? "First curve" : "Second curve")}: degree ${degree}, ` +
         `${counted(points.length, "control point", "control points")} within ${width} by ${height} ${unit}` +
         `${made.length > 0 ? `, of ${list(made)}` : ""}.`
       );

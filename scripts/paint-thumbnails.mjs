@@ -11,7 +11,7 @@ const presets = join(root, "www/presets");
 /** @type {(file: string) => Promise<any>} */
 const read = async (file) => JSON.parse(await readFile(join(presets, file), "utf8"));
 
-const dx = await load({ module: "figure" });
+const dx = await load();
 await rm(folder, { recursive: true, force: true });
 await mkdir(folder, { recursive: true });
 for (const { id } of await read("index.json")) {

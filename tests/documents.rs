@@ -47,7 +47,7 @@ fn matched(document: &Value) -> Result<Solution, DocumentError> {
     let solution = solve(document)?;
     match &solution.outcome {
         Outcome::Refused(error) => Err(error.clone()),
-        Outcome::Unmatched | Outcome::Matched { .. } => Ok(solution),
+        _ => Ok(solution),
     }
 }
 
@@ -111,6 +111,12 @@ fn presets_are_matched_completely_or_shown_as_not_matchable() {
     assert_eq!(presets.iter().filter(|preset| !preset.matched).count(), 1);
     for Preset { id, matched, text, .. } in presets {
         let solution = Solve::run(read_text(&text).expect("a valid document")).expect("valid curves");
+        if let Some(stack) = solution.stack() {
+            assert!(stack.is_complete && solution.diagnostics.is_empty(), "{id}: {:?}", codes(&solution));
+            let etas = stack.spans.iter().map(|span| span.lines().and_then(|(_, _, totals)| totals.eta));
+            assert!(etas.flatten().all(|eta| eta > 0.9), "{id}");
+            continue;
+        }
         let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("{id} is not matched") };
         let totals = &matching.totals;
         assert_eq!((totals.crossings, totals.blocked), (0, 0), "{id}");
@@ -780,6 +786,9 @@ fn lines_that_break_a_constraint_are_drawn_apart_and_without_a_blend() {
             document["matching"]["method"] = json!(method);
             document["matching"]["oneToOne"] = json!(one_to_one);
             let solution = solve(&document).expect("a valid document");
+            if solution.stack().is_some() {
+                continue;
+            }
             let (problem, lines, totals) = solution.lines().expect("lines");
             let [first, second] = problem.outlines();
             let segments: Vec<[DVec2; 2]> =

@@ -18,6 +18,8 @@ const PATIENCE = 4;
 
 /** @type {Promise<Kernel> | null} */
 let kernel = null;
+/** The module in use: `full` from the first document on that needs it. @type {"figure" | "full"} */
+let module = "figure";
 /** @type {Lane[]} */
 const waiting = [];
 let isTaken = false;
@@ -46,7 +48,7 @@ export function warm() {
 /** @returns {Promise<Kernel>} */
 async function start() {
   try {
-    const connection = await connect({ module: "figure" });
+    const connection = await connect({ module });
     return {
       runsIn: connection.runsIn,
       call: (name, args, control) => /** @type {any} */ (connection)[name](...args, ...(control ? [control] : [])),
@@ -55,8 +57,20 @@ async function start() {
   } catch (error) {
     if (/** @type {{ code?: string }} */ (error)?.code === "trap") throw error;
     const { mainThread } = await import("./main-thread.js");
-    return mainThread();
+    return mainThread(module);
   }
+}
+
+/**
+ * The kernel with the module `full`, after `figure` said that it does not compute a document.
+ *
+ * @param {Kernel} old
+ */
+function fuller(old) {
+  module = "full";
+  old.close();
+  kernel = null;
+  return started();
 }
 
 /** A figure is there that may need the kernel. */
@@ -117,11 +131,27 @@ export class Lane {
     this.#passed = 0;
     try {
       const there = await started();
-      if (!flight.signal.aborted) await this.#work(there, flight.signal);
+      if (!flight.signal.aborted) await this.#answered(there, flight.signal);
     } catch (error) {
       if (!flight.signal.aborted) this.#failed(error);
     }
     this.#flight = null;
+  }
+
+  /**
+   * Does the work, with the module `full` where `figure` does not do.
+   *
+   * @param {Kernel} there
+   * @param {AbortSignal} signal
+   */
+  async #answered(there, signal) {
+    try {
+      await this.#work(there, signal);
+    } catch (error) {
+      if (module === "full" || /** @type {{ code?: string }} */ (error)?.code !== "not-in-module") throw error;
+      const whole = await fuller(there);
+      if (!signal.aborted) await this.#work(whole, signal);
+    }
   }
 
   get urgency() {

@@ -10,10 +10,11 @@ import { inTurns } from "../turns.js";
 /**
  * Answers one call at a time, as its only user asks.
  *
+ * @param {"figure" | "full"} module
  * @returns {Promise<Kernel>}
  */
-export async function mainThread() {
-  const dx = await load({ module: "figure" });
+export async function mainThread(module) {
+  const dx = await load({ module });
   return {
     runsIn: "main thread",
     async call(name, args, { signal, onprogress, onsolved } = {}) {

@@ -11,13 +11,16 @@ import { fixed, words } from "./words.js";
  * @param {CurvesDocument} document
  * @returns {FigureResult}
  */
-export function summary({ ok, diagnostics, totals, gap, gapKind }, { matching }) {
+export function summary({ ok, diagnostics, totals, gap, gapKind, spans = [] }, { matching }) {
   const shown = totals.pairs ?? totals.lines;
+  // A stack is as good as its worst span.
+  const etas = spans.flatMap(({ totals }) => (totals.pairs ?? totals.lines)?.eta ?? []);
+  const bare = spans.flatMap(({ totals }) => totals.lines?.uncovered.flat() ?? []).length;
   const counts = {
     lines: shown?.count ?? 0,
     crossings: shown?.crossings ?? 0,
     blocked: shown?.blocked ?? 0,
-    uncovered: shown ? shown.uncovered[0].length + shown.uncovered[1].length : 0,
+    uncovered: shown ? shown.uncovered[0].length + shown.uncovered[1].length + (totals.pairs ? 0 : bare) : 0,
   };
   const { crossings, blocked, uncovered } = counts;
   const kept = diagnostics.some(({ code }) => code === "unverified-gap" || code === "occluded" || code === "unverified");
@@ -25,7 +28,7 @@ export function summary({ ok, diagnostics, totals, gap, gapKind }, { matching })
     ...counts,
     ok,
     verified: ok && crossings + blocked + uncovered === 0 && !kept,
-    eta: shown?.eta ?? null,
+    eta: shown?.eta ?? (etas.length > 0 ? Math.min(...etas) : null),
     integral: shown?.integral ?? null,
     gap,
     gapKind,

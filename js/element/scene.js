@@ -238,7 +238,7 @@ export class Scene {
       const match = await kernel.call("match", [text, {}], { ...control });
       if (this.#incoming !== incoming) return;
       this.document = document;
-      this.stages = completed.blend.stages;
+      this.stages = completed.blend.stages * Math.max(1, document.curves.length - 1);
       this.layers = null;
       this.#s = document.view?.s ?? FIRST_S;
       this.#isMoving = false;
@@ -262,7 +262,9 @@ export class Scene {
       this.#accept(document, match);
       if (isNew) this.#news ??= "edit";
     } catch (error) {
-      if (control.signal?.aborted || !(error instanceof DirectrixError)) throw error;
+      // The module `full` gets what `figure` does not compute.
+      const isOurs = error instanceof DirectrixError && error.code !== "not-in-module";
+      if (control.signal?.aborted || !isOurs) throw error;
       [this.#match, this.#matched, this.result] = [null, document, null];
       if (isNew) this.#host.onproblem("edit", error);
     }

@@ -45,7 +45,7 @@ export async function reference(dx) {
 }
 
 /**
- * The presets with the method whose lines the tables count.
+ * The presets of two curves with the method whose lines the tables count.
  *
  * @returns {Promise<Preset[]>}
  */
@@ -57,7 +57,9 @@ async function readPresets() {
     const document = await read(`${id}.json`);
     return { ...document, matching: { ...document.matching, method: "greedy", oneToOne: false } };
   };
-  return Promise.all(index.map(async (preset) => ({ ...preset, document: await grown(preset.id) })));
+  const presets = await Promise.all(index.map(async (preset) => ({ ...preset, document: await grown(preset.id) })));
+  // Methods are compared on pairs; a stack is several of them.
+  return presets.filter(({ document }) => document.curves.length === 2);
 }
 
 /** @param {Preset[]} presets */

@@ -107,6 +107,33 @@ pub enum Diagnostic {
         /// A place where they meet.
         at: Option<DVec2>,
     },
+    /// A remark on one span of a stack; curves and pins are numbered as in the document, lines and vertices as in the span.
+    #[cfg(feature = "stack")]
+    InSpan {
+        /// Number of the span.
+        span: usize,
+        /// The remark.
+        remark: Box<Diagnostic>,
+    },
+    /// A curve of a stack does not lie between its neighbours, which have the same height.
+    #[cfg(feature = "stack")]
+    Order {
+        /// Number of the curve.
+        curve: usize,
+        /// A point where that shows.
+        at: DVec2,
+    },
+    /// A cubic blend of curves of one height lies over itself or over a curve.
+    #[cfg(feature = "stack")]
+    Overlap {
+        /// Number of the span.
+        span: usize,
+        /// Where.
+        at: DVec2,
+    },
+    /// No thread leads through all curves of an open stack: free ends leave nothing that all spans cover.
+    #[cfg(feature = "stack")]
+    NoThread,
 }
 
 impl Diagnostic {
@@ -131,7 +158,42 @@ impl Diagnostic {
             Self::Disjoint => "disjoint",
             Self::Crossing { .. } => "crossing",
             Self::CoarseSampling { .. } => "coarse-sampling",
+            #[cfg(feature = "stack")]
+            Self::InSpan { remark, .. } => remark.code(),
+            #[cfg(feature = "stack")]
+            Self::Order { .. } => "order",
+            #[cfg(feature = "stack")]
+            Self::Overlap { .. } => "overlap",
+            #[cfg(feature = "stack")]
+            Self::NoThread => "no-thread",
         }
+    }
+}
+
+#[cfg(feature = "stack")]
+impl Diagnostic {
+    /// A remark on a span with the numbers of the stack; `pins` are those of the pins of the span.
+    pub(super) fn in_stack(&self, span: usize, pins: &[usize]) -> Self {
+        let mut remark = self.clone();
+        match &mut remark {
+            Self::Orphan { curve, .. }
+            | Self::Stuck { curve, .. }
+            | Self::Jammed { curve, .. }
+            | Self::LeftOut { curve, .. } => *curve += span,
+            Self::Pins { pins: own, obstacle } => {
+                let name = |number: &mut usize| *number = pins.get(*number).copied().unwrap_or(*number);
+                own.iter_mut().for_each(name);
+                match obstacle {
+                    Obstacle::NoSuchVertex { pin } | Obstacle::PinBlocked { pin } => name(pin),
+                    Obstacle::PinsCross { pins } | Obstacle::NoRoom { pins } => {
+                        pins.iter_mut().for_each(name)
+                    }
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+        remark
     }
 }
 
@@ -203,6 +265,26 @@ impl fmt::Display for Diagnostic {
                 write!(f, "the sampled polygons meet although the curves do not")?;
                 at.iter().try_for_each(|at| near(f, at))?;
                 write!(f, "; take more samples")
+            }
+            #[cfg(feature = "stack")]
+            Self::InSpan { span, remark } => write!(f, "between curves {span} and {}: {remark}", span + 1),
+            #[cfg(feature = "stack")]
+            Self::Order { curve, at } => {
+                write!(
+                    f,
+                    "curve {curve} is out of order: curves of one height have to lie one inside the next, or side by side, as the stack lists them; it does not"
+                )?;
+                near(f, at)
+            }
+            #[cfg(feature = "stack")]
+            Self::Overlap { span, at } => {
+                write!(f, "between curves {span} and {} the cubic blend lies over itself", span + 1)?;
+                near(f, at)?;
+                write!(f, "; the blend `ruled` does not, and curves that are farther apart may help")
+            }
+            #[cfg(feature = "stack")]
+            Self::NoThread => {
+                write!(f, "no line leads through all curves; `ends` that are `tied` leave no curve out")
             }
         }
     }

@@ -31,7 +31,7 @@ impl Direction {
         match problems.each_ref().map(is_strip) {
             [true, false] => return None,
             [false, true] => {
-                model.turn();
+                model.turn(1);
                 return None;
             }
             [true, true] | [false, false] => {}

@@ -22,6 +22,8 @@ pub enum Code {
     Version,
     /// A value of the format that this release does not compute yet.
     NotYet,
+    /// A document that only the module `full` computes.
+    NotInModule,
     /// A stated limit of size is passed.
     Limit,
     /// Too few control points for the degree, or ends that do not close.
@@ -40,7 +42,7 @@ pub enum Code {
 
 impl Code {
     /// Every code, in the order of `docs/api.md`.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Syntax,
         Self::Missing,
         Self::UnknownField,
@@ -49,6 +51,7 @@ impl Code {
         Self::NonFinite,
         Self::Version,
         Self::NotYet,
+        Self::NotInModule,
         Self::Limit,
         Self::Points,
         Self::Knots,
@@ -70,6 +73,7 @@ impl Code {
             Self::NonFinite => "non-finite",
             Self::Version => "version",
             Self::NotYet => "not-yet",
+            Self::NotInModule => "not-in-module",
             Self::Limit => "limit",
             Self::Points => "points",
             Self::Knots => "knots",

@@ -3,15 +3,17 @@
 use super::control_points::control_points;
 use super::node::Node;
 use super::schema::{
-    BestShift, Blend, CompositionKey, CurveForm, CurveSpec, CurvesDocument, EndRule, Kind, LARGEST,
-    LayerName, MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy, PrintedRule,
-    SMALLEST, Sampling, SamplingScheme, Shift, View,
+    BestShift, Blend, BlendKind, CompositionKey, CurveForm, CurveSpec, CurvesDocument, EndRule, Kind,
+    LARGEST, LayerName, MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy,
+    PrintedRule, SMALLEST, Sampling, SamplingScheme, Shift, View,
 };
 use super::{Code, DocumentError};
 use crate::curve::Fineness;
 
 type Read<T> = Result<T, DocumentError>;
 
+/// Most curves of a stack.
+const MOST_CURVES: usize = 16;
 /// Greatest exponent in the value of a line.
 const LARGEST_WEIGHT: f64 = 100.0;
 
@@ -35,7 +37,8 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
     };
     let materials = materials(node)?;
     let curves = curves(&node.need("curves")?, materials.len())?;
-    let is_open = both_open(&curves)?;
+    let is_open = all_open(&curves)?;
+    let spans = curves.len().saturating_sub(1).max(1);
     let materials_count = materials.len();
     Ok(CurvesDocument {
         directrix: 1,
@@ -43,9 +46,11 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
         title: text("title", 200, "Untitled")?,
         unit: text("unit", 16, "mm")?,
         materials,
-        sampling: node.get("sampling")?.map_or_else(|| Ok(Sampling::default()), |n| sampling(&n, &curves))?,
+        sampling: node
+            .get("sampling")?
+            .map_or_else(|| Ok(Sampling::of(curves.len())), |n| sampling(&n, &curves))?,
         curves,
-        matching: matching(&node.need("matching")?, is_open)?,
+        matching: matching(&node.need("matching")?, is_open, spans)?,
         blend: node.get("blend")?.map_or_else(|| Ok(Blend::default()), |n| blend(&n))?,
         view: node.get("view")?.map(|n| view(&n, materials_count)).transpose()?,
     })
@@ -69,14 +74,11 @@ fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
 
 fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     let items = list.items()?;
-    if let Some(third) = items.get(2) {
-        return Err(third.error(
-            Code::NotYet,
-            format!(
-                "the blend `ruled` joins 2 curves, {} were found; several inner contours need the blend kind `harmonic`, stacks `cubic`, both of which come with a later release",
-                items.len()
-            ),
-        ));
+    list.check_count(items.len(), " curves", 0..=MOST_CURVES)?;
+    if cfg!(not(feature = "stack")) && items.len() > 2 {
+        let message =
+            format!("{} curves were found; stacks of more than 2 need the module \"full\"", items.len());
+        return Err(list.error(Code::NotInModule, message));
     }
     let mut curves = Vec::with_capacity(items.len());
     for (number, item) in items.iter().enumerate() {
@@ -88,18 +90,17 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
 }
 
 /// Tells whether the curves are open, of which closed ones are refused beside them.
-fn both_open(curves: &[CurveSpec]) -> Read<bool> {
+fn all_open(curves: &[CurveSpec]) -> Read<bool> {
     let is_open = |curve: &CurveSpec| curve.form == CurveForm::Open;
-    if let [first, second] = curves
-        && is_open(first) != is_open(second)
-    {
-        let [found, other] = if is_open(second) { ["open", "closed"] } else { ["closed", "open"] };
+    let first = curves.first().is_some_and(is_open);
+    if let Some(other) = curves.iter().position(|curve| is_open(curve) != first) {
+        let [found, others] = if first { ["closed", "open"] } else { ["open", "closed"] };
         let message = format!(
-            "the curve is {found} and the other one {other}; expected both curves open, or both closed"
+            "the curve is {found} and the first one {others}; expected all curves open, or all closed"
         );
-        return Err(DocumentError::new(Code::Range, "curves[1].form", message));
+        return Err(DocumentError::new(Code::Range, format!("curves[{other}].form"), message));
     }
-    Ok(curves.iter().any(is_open))
+    Ok(first)
 }
 
 /// Refuses plane curves beside curves in space, and heights of the latter.
@@ -173,7 +174,7 @@ fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
 
 fn sampling(node: &Node<'_>, curves: &[CurveSpec]) -> Read<Sampling> {
     node.only(&["scheme", "counts", "tolerance", "maxTurn", "minCount"])?;
-    let mut sampling = Sampling::default();
+    let mut sampling = Sampling::of(curves.len());
     if let Some(scheme) = node.get("scheme")? {
         sampling.scheme = match scheme.choice(&["parameter", "arc-length", "adaptive"])? {
             0 => SamplingScheme::Parameter,
@@ -183,7 +184,8 @@ fn sampling(node: &Node<'_>, curves: &[CurveSpec]) -> Read<Sampling> {
     }
     if let Some(counts) = node.get("counts")? {
         let items = counts.items()?;
-        counts.check_count(items.len(), " counts", 2..=2)?;
+        let wanted = sampling.counts.len();
+        counts.check_count(items.len(), " counts", wanted..=wanted)?;
         for (count, item) in sampling.counts.iter_mut().zip(&items) {
             *count = item.count_within(3..=1000)?;
         }
@@ -200,7 +202,7 @@ fn sampling(node: &Node<'_>, curves: &[CurveSpec]) -> Read<Sampling> {
     Ok(sampling)
 }
 
-fn matching(node: &Node<'_>, is_open: bool) -> Read<MatchingSpec> {
+fn matching(node: &Node<'_>, is_open: bool, spans: usize) -> Read<MatchingSpec> {
     node.only(&[
         "method",
         "objective",
@@ -250,7 +252,7 @@ fn matching(node: &Node<'_>, is_open: bool) -> Read<MatchingSpec> {
         }
         None => (method == Method::Shift).then_some(Shift::Best(BestShift::Best)),
     };
-    let pins = node.get("pins")?.map_or_else(|| Ok(Vec::new()), |n| pins(&n, method))?;
+    let pins = node.get("pins")?.map_or_else(|| Ok(Vec::new()), |n| pins(&n, method, spans))?;
     let weight =
         |name: &str, default: f64| node.get(name)?.map_or(Ok(default), |n| n.within(0.0..=LARGEST_WEIGHT));
     Ok(MatchingSpec {
@@ -285,7 +287,7 @@ fn matching(node: &Node<'_>, is_open: bool) -> Read<MatchingSpec> {
 /// Most pins of a document.
 const MOST_PINS: usize = 200;
 
-fn pins(list: &Node<'_>, method: Method) -> Read<Vec<Pin>> {
+fn pins(list: &Node<'_>, method: Method, spans: usize) -> Read<Vec<Pin>> {
     let items = list.items()?;
     if !items.is_empty() && method != Method::Exact {
         let message = "pins were found; expected none, because only the method `exact` can keep them";
@@ -294,9 +296,10 @@ fn pins(list: &Node<'_>, method: Method) -> Read<Vec<Pin>> {
     list.check_count(items.len(), " pins", 0..=MOST_PINS)?;
     let mut pins = Vec::with_capacity(items.len());
     for item in &items {
-        item.only(&["u", "v"])?;
+        item.only(&["u", "v", "pair"])?;
         let place = |name: &str| item.need(name)?.within(-LARGEST..=LARGEST);
-        pins.push(Pin { u: place("u")?, v: place("v")? });
+        let pair = item.get("pair")?.map_or(Ok(0), |node| node.index(spans, "span"))?;
+        pins.push(Pin { u: place("u")?, v: place("v")?, pair });
     }
     Ok(pins)
 }
@@ -311,18 +314,16 @@ fn printed(list: &Node<'_>) -> Read<Vec<PrintedRule>> {
 
 fn blend(node: &Node<'_>) -> Read<Blend> {
     node.only(&["kind", "stages"])?;
-    if let Some(kind) = node.get("kind")?
-        && kind.choice(&["ruled", "cubic", "harmonic"])? != 0
-    {
-        return Err(
-            kind.not_yet("the blends `harmonic`, for several inner contours, and `cubic`, for stacks,")
-        );
-    }
     let default = Blend::default();
-    Ok(Blend {
-        stages: node.get("stages")?.map_or(Ok(default.stages), |n| n.count_within(1..=200))?,
-        ..default
-    })
+    let kind = match node.get("kind")? {
+        None => default.kind,
+        Some(kind) => match kind.choice(&["ruled", "cubic", "harmonic"])? {
+            0 => BlendKind::Ruled,
+            1 => BlendKind::Cubic,
+            _ => return Err(kind.not_yet("the blends `harmonic`, for several inner contours,")),
+        },
+    };
+    Ok(Blend { kind, stages: node.get("stages")?.map_or(Ok(default.stages), |n| n.count_within(1..=200))? })
 }
 
 fn view(node: &Node<'_>, materials: usize) -> Read<View> {

@@ -41,9 +41,10 @@ impl Memory {
     }
 }
 
-/// What a solution takes: the number of pairs of samples.
+/// What a solution takes: the number of pairs of samples, of all spans.
 fn weight(solution: &Solution) -> usize {
-    solution.model.samples().iter().map(|samples| samples.points.len()).product::<usize>().max(LEAST)
+    let pairs = solution.model.samples().windows(2);
+    pairs.map(|pair| pair[0].points.len() * pair[1].points.len()).sum::<usize>().max(LEAST)
 }
 
 /// How many solutions of some weights are kept, the one used last first.

@@ -32,6 +32,8 @@ mod solid_options;
 mod solve;
 #[cfg(feature = "solid")]
 mod space;
+#[cfg(feature = "stack")]
+mod stack;
 mod work;
 
 #[cfg(feature = "amounts")]
@@ -65,3 +67,5 @@ pub use solid_job::{MOST_VERTICES, SolidJob};
 #[cfg(feature = "solid")]
 pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};
+#[cfg(feature = "stack")]
+pub use stack::{Stacked, span_document};

@@ -14,7 +14,7 @@ use glam::DVec2;
 
 /// A document with its curves built, turned counter-clockwise where they are closed, and sampled, and its compositions checked.
 ///
-/// A drawing in progress has no curve or one; [`pair`](Self::pair) is there once it has two.
+/// A drawing in progress has no curve or one; [`pair`](Self::pair) is there when it has two. The spans of a stack have models of their own.
 #[derive(Debug, Clone)]
 pub struct Model {
     document: CurvesDocument,
@@ -59,7 +59,7 @@ impl Model {
         {
             samples = resample([first, second], &samples, document.sampling.scheme);
         }
-        let pins = if document.matching.pins.is_empty() {
+        let pins = if document.matching.pins.is_empty() || curves.len() > 2 {
             Vec::new()
         } else {
             pins(&document, &curves, &reversed, &mut samples)
@@ -78,14 +78,17 @@ impl Model {
         })
     }
 
-    /// Reverses the second of two open curves.
-    pub(super) fn turn(&mut self) {
-        if let ([_, curve], [_, samples]) = (self.curves.as_mut_slice(), self.samples.as_mut_slice()) {
+    /// Reverses an open curve.
+    pub(super) fn turn(&mut self, k: usize) {
+        if let (Some(curve), Some(samples)) = (self.curves.get_mut(k), self.samples.get_mut(k)) {
             *samples = samples.reversed(curve);
             *curve = curve.reversed();
-            self.reversed[1] = true;
+            self.reversed[k] = !self.reversed[k];
             let last = samples.arc.len() - 1;
-            self.pins.iter_mut().for_each(|pin| pin.1 = last - pin.1);
+            for pin in &mut self.pins {
+                let end = if k == 0 { &mut pin.0 } else { &mut pin.1 };
+                *end = last - *end;
+            }
         }
     }
 
@@ -109,7 +112,7 @@ impl Model {
         &self.document
     }
 
-    /// The curves that are there, at most two: counter-clockwise, or in the direction in which open ones are matched.
+    /// The curves that are there: counter-clockwise, or in the direction in which open ones are matched.
     #[must_use]
     pub fn curves(&self) -> &[BSpline] {
         &self.curves
@@ -133,16 +136,16 @@ impl Model {
         &self.coarse
     }
 
-    /// Pinned pairs, by the numbers of their samples on the first and the second curve.
+    /// Pinned pairs of two curves, by the numbers of their samples on the first and the second.
     #[must_use]
     pub fn pins(&self) -> &[(usize, usize)] {
         &self.pins
     }
 
-    /// The two curves and their samples, once both are there.
+    /// The curves and their samples where they are two.
     #[must_use]
     pub fn pair(&self) -> Option<(&[BSpline; 2], &[Samples; 2])> {
-        self.curves.first_chunk().zip(self.samples.first_chunk())
+        self.curves.as_array().zip(self.samples.as_array())
     }
 
     /// Materials of the document.
@@ -169,7 +172,7 @@ impl Model {
         }
     }
 
-    /// Distance between the planes of the curves; 0 until there are two.
+    /// Distance between the planes of two curves; 0 where they are not two.
     #[must_use]
     pub fn gap(&self) -> f64 {
         match self.document.curves.as_slice() {
@@ -220,36 +223,47 @@ impl Model {
             .unwrap_or(Bounds { min: DVec2::splat(-BLANK / 2.0), max: DVec2::splat(BLANK / 2.0) })
     }
 
-    /// Finds a place where a curve meets itself, or where the two meet at equal heights, on the curves themselves.
+    /// Finds a place where a curve meets itself, or where two meet at equal heights, on the curves themselves.
     #[must_use]
     pub fn fault(&self) -> Option<DocumentError> {
-        for (k, curve) in self.curves.iter().enumerate() {
-            if let Some(meeting) = curve.self_intersection() {
-                let expected = match curve.domain() {
-                    ends if !curve.is_closed() && (meeting.u, meeting.v) == ends => {
-                        "an open curve whose ends keep apart, or the form `clamped`"
-                    }
-                    _ => "a simple curve",
-                };
-                let message =
-                    format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
-                #[cfg(feature = "solid")]
-                let message = self.seen(message);
-                let error =
-                    DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
-                return Some(error.with_place(meeting.at));
+        let count = self.curves.len();
+        let meets = || (1..count).find_map(|j| (0..j).find_map(|i| self.contact(i, j)));
+        (0..count).find_map(|k| self.self_contact(k)).or_else(meets)
+    }
+
+    /// A place where a curve meets itself.
+    pub(super) fn self_contact(&self, k: usize) -> Option<DocumentError> {
+        let curve = &self.curves[k];
+        let meeting = curve.self_intersection()?;
+        let expected = match curve.domain() {
+            ends if !curve.is_closed() && (meeting.u, meeting.v) == ends => {
+                "an open curve whose ends keep apart, or the form `clamped`"
             }
-        }
-        if self.gap() > 0.0 {
-            return None;
-        }
-        let ([first, second], _) = self.pair()?;
-        let meeting = first.contact(second)?;
-        let message =
-            format!("the two curves meet near {}; expected curves that keep apart", ShownPlace(meeting.at));
+            _ => "a simple curve",
+        };
+        let message = format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
         #[cfg(feature = "solid")]
         let message = self.seen(message);
-        Some(DocumentError::new(Code::Contact, "curves[1].points", message).with_place(meeting.at))
+        let error = DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
+        Some(error.with_place(meeting.at))
+    }
+
+    /// A place where two curves of the same height meet.
+    pub(super) fn contact(&self, i: usize, j: usize) -> Option<DocumentError> {
+        let curves = &self.document.curves;
+        if curves[i].height != curves[j].height {
+            return None;
+        }
+        let meeting = self.curves[i].contact(&self.curves[j])?;
+        let near = ShownPlace(meeting.at);
+        let message = if cfg!(feature = "stack") && curves.len() > 2 {
+            format!("the curve meets curve {i} near {near}; expected curves that keep apart")
+        } else {
+            format!("the two curves meet near {near}; expected curves that keep apart")
+        };
+        #[cfg(feature = "solid")]
+        let message = self.seen(message);
+        Some(DocumentError::new(Code::Contact, format!("curves[{j}].points"), message).with_place(meeting.at))
     }
 }
 

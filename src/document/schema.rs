@@ -15,8 +15,10 @@ pub(super) const BLANK: f64 = 100.0;
 /// Smallest tolerance of a document.
 pub(super) const SMALLEST: f64 = 1e-12;
 
-/// A curves document: two curves, both closed or both open, or fewer while they are being drawn, their materials, and how to match and
-/// blend them.
+/// A curves document: two curves or a stack of more, all closed or all open, or fewer while they are being drawn, their materials, and how
+/// to match and blend them.
+///
+/// Neighbours in the list are matched with each other: the pairs are called spans.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CurvesDocument {
@@ -30,7 +32,7 @@ pub struct CurvesDocument {
     pub unit: String,
     /// Materials; a composition has one fraction for each.
     pub materials: Vec<MaterialSpec>,
-    /// The directrices, two in a finished document.
+    /// The directrices, in the order of the stack; two or more in a finished document, at most 16.
     pub curves: Vec<CurveSpec>,
     /// How the curves are sampled.
     pub sampling: Sampling,
@@ -45,7 +47,7 @@ pub struct CurvesDocument {
 
 impl CurvesDocument {
     /// Number of equal parts into which the stages cut every ruling line: M, or M + 1 where M is taken as printed for the number of curves
-    /// in between (the caption of Fig. 6 of the precursor).
+    /// in between (the caption of Fig. 6 of the precursor). In a stack that is the number of parts of each span.
     #[must_use]
     pub fn segments(&self) -> usize {
         self.blend.stages + usize::from(self.counts_stages_back())
@@ -62,7 +64,7 @@ impl CurvesDocument {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
-    /// Two curves.
+    /// Curves and their blend.
     Curves,
 }
 
@@ -129,7 +131,7 @@ pub struct Sampling {
     /// Where the samples lie.
     pub scheme: SamplingScheme,
     /// Number of samples of each curve, 3 to 1000; adaptive samples ignore it.
-    pub counts: [usize; 2],
+    pub counts: Vec<usize>,
     /// Greatest distance of a curve from the chords between adaptive samples.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
@@ -245,10 +247,17 @@ pub enum BestShift {
 /// A pair of places that a line must join.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Pin {
-    /// Parameter on the first curve as drawn.
+    /// Parameter on the first curve of the span as drawn.
     pub u: f64,
-    /// Parameter on the second curve as drawn.
+    /// Parameter on the second curve of the span as drawn.
     pub v: f64,
+    /// Number of the span: that of its first curve.
+    #[serde(skip_serializing_if = "is_first")]
+    pub pair: usize,
+}
+
+fn is_first(pair: &usize) -> bool {
+    *pair == 0
 }
 
 /// Rules that the papers print otherwise than they are repaired.
@@ -325,7 +334,7 @@ pub enum Policy {
 pub struct Blend {
     /// Kind of the blend.
     pub kind: BlendKind,
-    /// Number M of steps from one curve to the other, 1 to 200; there are M - 1 in-between curves.
+    /// Number M of steps from one curve to the next, 1 to 200; there are M - 1 in-between curves.
     pub stages: usize,
 }
 
@@ -335,6 +344,8 @@ pub struct Blend {
 pub enum BlendKind {
     /// Linear along the ruling lines.
     Ruled,
+    /// Through all curves of a stack without kinks at the inner ones; of two curves the same as ruled.
+    Cubic,
 }
 
 /// What the page shows of a document.
@@ -436,7 +447,7 @@ impl Default for Sampling {
     fn default() -> Self {
         Self {
             scheme: SamplingScheme::ArcLength,
-            counts: [44, 44],
+            counts: vec![44, 44],
             tolerance: None,
             max_turn: None,
             min_count: None,
@@ -445,6 +456,12 @@ impl Default for Sampling {
 }
 
 impl Sampling {
+    /// The defaults for a number of curves; while they are being drawn there are counts for two.
+    #[must_use]
+    pub fn of(curves: usize) -> Self {
+        Self { counts: vec![44; curves.max(2)], ..Self::default() }
+    }
+
     /// How fine adaptive samples of these curves are: what is left out has the defaults of `docs/format.md`.
     #[must_use]
     pub fn fineness(&self, curves: &[CurveSpec]) -> Fineness {

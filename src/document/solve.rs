@@ -1,6 +1,8 @@
 //! From a document to its matching, in steps.
 
 use super::direction::Direction;
+#[cfg(feature = "stack")]
+use super::stack::{StackWork, Stacked};
 use super::work::{Found, Work};
 use super::{CurvesDocument, Diagnostic, DocumentError, Model};
 use crate::curve::BSpline;
@@ -56,6 +58,9 @@ pub enum Outcome {
     Refused(DocumentError),
     /// The curves cannot be matched as they lie, or are not both there; the diagnostics say why.
     Unmatched,
+    /// More than two curves, whose neighbours are matched with each other.
+    #[cfg(feature = "stack")]
+    Stacked(Box<Stacked>),
     /// Lines were found.
     Matched {
         /// The outlines and the values of their lines.
@@ -82,19 +87,33 @@ impl Solution {
     /// Tells whether every vertex has a line and no constraint is broken.
     #[must_use]
     pub fn is_complete(&self) -> bool {
+        #[cfg(feature = "stack")]
+        if let Some(stack) = self.stack() {
+            return stack.is_complete;
+        }
         matches!(self.outcome, Outcome::Matched { is_complete: true, .. })
     }
 
-    /// The band between the curves, where the matching is complete.
+    /// The band between two curves, where the matching is complete.
     #[must_use]
     pub fn band(&self) -> Option<&Band> {
         match &self.outcome {
             Outcome::Matched { band, .. } => band.as_ref(),
-            Outcome::Refused(_) | Outcome::Unmatched => None,
+            _ => None,
         }
     }
 
-    /// The lines to show, with the outlines they join and what they are worth: those with ends of their own where there are
+    /// The spans and the blend of more than two curves.
+    #[cfg(feature = "stack")]
+    #[must_use]
+    pub fn stack(&self) -> Option<&Stacked> {
+        match &self.outcome {
+            Outcome::Stacked(stack) => Some(stack),
+            _ => None,
+        }
+    }
+
+    /// The lines to show between two curves, with the outlines they join and what they are worth: those with ends of their own where there are
     /// some, else those between samples.
     #[must_use]
     pub fn lines(&self) -> Option<(&Problem, &[RulingLine], &Totals)> {
@@ -103,7 +122,7 @@ impl Solution {
                 Some((&pairs.problem, &pairs.lines, &pairs.totals))
             }
             Outcome::Matched { problem, matching, .. } => Some((problem, &matching.lines, &matching.totals)),
-            Outcome::Refused(_) | Outcome::Unmatched => None,
+            _ => None,
         }
     }
 
@@ -121,7 +140,7 @@ impl Solution {
             {
                 broken(problem, &matching.lines)
             }
-            Outcome::Matched { .. } | Outcome::Refused(_) | Outcome::Unmatched => Vec::new(),
+            _ => Vec::new(),
         }
     }
 
@@ -132,7 +151,7 @@ impl Solution {
             Outcome::Matched { matching, pairs, band: Some(_), .. } => {
                 band(&self.model, matching, pairs.as_deref(), per_line)
             }
-            Outcome::Matched { .. } | Outcome::Refused(_) | Outcome::Unmatched => None,
+            _ => None,
         }
     }
 }
@@ -152,6 +171,8 @@ enum State {
     Ready(Box<(Outcome, Vec<Diagnostic>, bool)>),
     Directing(Box<Direction>),
     Working(Box<Work>),
+    #[cfg(feature = "stack")]
+    Stacking(Box<StackWork>),
 }
 
 impl Solve {
@@ -173,19 +194,43 @@ impl Solve {
     }
 
     fn start(document: CurvesDocument, is_coarse: bool) -> Result<Self, DocumentError> {
-        let mut model = Model::new(document)?;
-        let state = match model.fault() {
-            Some(fault) => State::Ready(Box::new((Outcome::Refused(fault), Vec::new(), false))),
-            None => {
-                let direction = model.ends().and_then(|_| Direction::new(&mut model));
-                direction.map_or_else(
-                    || prepare(&model, is_coarse),
-                    |direction| State::Directing(Box::new(direction)),
-                )
+        let model = Model::new(document)?;
+        #[cfg(feature = "stack")]
+        if model.curves().len() > 2 {
+            let state = State::Stacking(Box::new(StackWork::new(&model, is_coarse)));
+            return Ok(Self { model: Some(model), state, is_coarse, begun: 0.0 });
+        }
+        Ok(match model.fault() {
+            Some(fault) => {
+                let state = State::Ready(Box::new((Outcome::Refused(fault), Vec::new(), false)));
+                Self { model: Some(model), state, is_coarse, begun: 0.0 }
             }
-        };
+            None => Self::of_sound(model, is_coarse),
+        })
+    }
+
+    /// A job for one span of a stack whose curves are known to be sound; the first of two open ones may have to run against its drawing, as the span before
+    /// has found out.
+    #[cfg(feature = "stack")]
+    pub(super) fn span(
+        document: CurvesDocument,
+        first_is_reversed: bool,
+        is_coarse: bool,
+    ) -> Result<Self, DocumentError> {
+        let mut model = Model::new(document)?;
+        if model.reversed()[0] != first_is_reversed {
+            model.turn(0);
+        }
+        Ok(Self::of_sound(model, is_coarse))
+    }
+
+    /// A job for curves that meet neither themselves nor each other.
+    fn of_sound(mut model: Model, is_coarse: bool) -> Self {
+        let direction = model.ends().and_then(|_| Direction::new(&mut model));
+        let state = direction
+            .map_or_else(|| prepare(&model, is_coarse), |direction| State::Directing(Box::new(direction)));
         let begun = if let State::Directing(_) = state { DIRECTING } else { 0.0 };
-        Ok(Self { model: Some(model), state, is_coarse, begun })
+        Self { model: Some(model), state, is_coarse, begun }
     }
 
     /// Advances while `may_go_on` says so, at least by a little; returns the solution when it is found, and `None` ever
@@ -195,7 +240,7 @@ impl Solve {
             let is_turned = direction.step(may_go_on)?;
             let model = self.model.as_mut()?;
             if is_turned {
-                model.turn();
+                model.turn(1);
             }
             self.state = prepare(model, self.is_coarse);
         }
@@ -203,6 +248,11 @@ impl Solve {
             let found = work.step(may_go_on)?;
             let problem = work.problem().clone();
             self.state = matched(self.model.as_ref()?, problem, found);
+        }
+        #[cfg(feature = "stack")]
+        if let State::Stacking(work) = &mut self.state {
+            let ready = work.step(self.model.as_mut()?, may_go_on)?;
+            self.state = State::Ready(Box::new(ready));
         }
         let State::Ready(ready) = &mut self.state else { return None };
         let model = self.model.take()?;
@@ -218,6 +268,8 @@ impl Solve {
             State::Ready(_) => 1.0,
             State::Directing(direction) => direction.progress() * DIRECTING,
             State::Working(work) => self.begun + (1.0 - self.begun) * work.progress(),
+            #[cfg(feature = "stack")]
+            State::Stacking(work) => work.progress(),
         }
     }
 
@@ -304,7 +356,7 @@ fn why_unmatched(curves: &[BSpline; 2], gap: f64, error: ProblemError) -> Diagno
     }
 }
 
-fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
+pub(super) fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
     let corners = |(curve, spline): (usize, &BSpline)| {
         spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
             curve,

@@ -86,6 +86,12 @@ impl Band {
         Self { rulings, end, per_line }
     }
 
+    /// A band of given rulings; `end` has the parameters of the first one after one lap, where the band closes.
+    #[cfg(feature = "stack")]
+    pub(super) fn of_rulings(rulings: Vec<Ruling>, end: Option<(f64, f64)>, per_line: usize) -> Self {
+        Self { rulings, end, per_line }
+    }
+
     /// All rulings, in cyclic order; every [`per_line`](Self::per_line)-th is a line of the matching.
     #[must_use]
     pub fn rulings(&self) -> &[Ruling] {

@@ -10,6 +10,8 @@ mod iso;
 mod locate;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "stack")]
+mod stack;
 
 #[cfg(feature = "amounts")]
 pub use amounts::{Amounts, amounts, cell_amounts};
@@ -19,3 +21,5 @@ pub use iso::IsoLine;
 pub use locate::Place;
 #[cfg(feature = "paths")]
 pub use paths::{PathError, PathPair, SMALLEST_TOLERANCE, path_pair};
+#[cfg(feature = "stack")]
+pub use stack::{Overlap, Refined, Row, StackBlend, StackPlace, Strip, Thread, Weave, threads};

@@ -3,9 +3,8 @@
 use super::{Blends, Cased, DisplayList, Item, Mesh, Path, StrokeStyle, Theme, Viewport};
 use crate::curve::BSpline;
 use crate::document::{Diagnostic, LayerName, Outcome, Solution};
-use crate::matching::{Problem, RulingLine};
 use crate::material::{Oklab, mix_colors, viridis};
-use crate::morph::{Band, Ruling, unit_cells};
+use crate::morph::{Band, IsoLine, Ruling, unit_cells};
 use glam::DVec2;
 
 /// What to show of a solved document.
@@ -49,13 +48,16 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     let theme = if is_small { options.theme.compact() } else { options.theme };
     // Occluded lines that were added may cross: nothing is blended over them.
     let band = solution.band().filter(|_| solution.is_complete());
+    let is_blended = band.is_some();
+    #[cfg(feature = "stack")]
+    let is_blended = is_blended || solution.stack().is_some_and(|stack| stack.is_complete);
     let tolerance = (CHORD_ERROR / viewport.scale).max(solution.model.bounds().diagonal() * 1e-6);
     let mut drawing = Drawing {
         solution,
         options,
         theme,
         is_small,
-        on_band: band.is_some()
+        on_band: is_blended
             && !options.patterns
             && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
@@ -67,13 +69,15 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     if let Some(band) = band {
         drawing.material(band);
         drawing.in_betweens(band);
-        drawing.iso_lines(band);
+        drawing.iso_lines(&|material, level| band.iso_lines(material, level));
     }
-    if let Some((problem, lines, _)) = solution.lines() {
-        drawing.lines(problem, lines);
-    }
+    drawing.lines(solution, 0, None);
     if let (Some(band), Some(s)) = (band, options.s) {
         drawing.current(band, s);
+    }
+    #[cfg(feature = "stack")]
+    if let Some(stack) = solution.stack() {
+        drawing.stack(stack);
     }
     drawing.boundaries();
     drawing.samples();
@@ -93,10 +97,9 @@ fn is_closed(solution: &Solution) -> bool {
     solution.model.ends().is_none()
 }
 
-/// The border of an open band: along the first curve from the first line to the last, and back along the second.
-fn border(solution: &Solution, band: &Band, tolerance: f64) -> Path {
-    let (Some(first), Some(last), [one, other]) =
-        (band.rulings().first(), band.rulings().last(), solution.model.curves())
+/// The border of an open band between two curves: along the first from the first line to the last, and back along the second.
+pub(super) fn border(curves: &[BSpline], band: &Band, tolerance: f64) -> Path {
+    let (Some(first), Some(last), [one, other]) = (band.rulings().first(), band.rulings().last(), curves)
     else {
         return Path::default();
     };
@@ -113,34 +116,34 @@ fn border(solution: &Solution, band: &Band, tolerance: f64) -> Path {
     Path::closed(ring)
 }
 
-struct Drawing<'a> {
-    solution: &'a Solution,
-    options: &'a FigureOptions,
-    theme: Theme,
+pub(super) struct Drawing<'a> {
+    pub(super) solution: &'a Solution,
+    pub(super) options: &'a FigureOptions,
+    pub(super) theme: Theme,
     is_small: bool,
     /// Whether lines inside the band lie on its colours, and not on the canvas.
     on_band: bool,
     /// Document units in one CSS pixel.
-    unit: f64,
-    outlines: Path,
+    pub(super) unit: f64,
+    pub(super) outlines: Path,
     /// Chord error of drawn curves in document units.
-    tolerance: f64,
-    list: DisplayList,
+    pub(super) tolerance: f64,
+    pub(super) list: DisplayList,
 }
 
 impl Drawing<'_> {
-    fn shows(&self, layer: LayerName) -> bool {
+    pub(super) fn shows(&self, layer: LayerName) -> bool {
         self.options.layers.contains(&layer)
     }
 
-    fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
+    pub(super) fn stroke(&mut self, layer: &str, path: Path, style: StrokeStyle) {
         if !path.rings.is_empty() {
             self.list.push(layer, Item::Stroke { path, style });
         }
     }
 
     /// The style of a line inside the band: on the bare canvas it takes the colour of the curves, which shows there.
-    fn inside(&self, style: StrokeStyle) -> StrokeStyle {
+    pub(super) fn inside(&self, style: StrokeStyle) -> StrokeStyle {
         if self.on_band {
             style
         } else {
@@ -160,7 +163,7 @@ impl Drawing<'_> {
     }
 
     /// Display colours of the materials.
-    fn colors(&self) -> Vec<Oklab> {
+    pub(super) fn colors(&self) -> Vec<Oklab> {
         self.solution.model.materials().iter().map(|material| material.color.to_oklab()).collect()
     }
 
@@ -180,7 +183,7 @@ impl Drawing<'_> {
         let outline = if band.is_closed() {
             self.outlines.clone()
         } else {
-            border(self.solution, band, self.tolerance)
+            border(self.solution.model.curves(), band, self.tolerance)
         };
         self.list.push("material", Item::Mesh { mesh, outline, opacity: 1.0 });
     }
@@ -194,10 +197,16 @@ impl Drawing<'_> {
         } else {
             return;
         };
+        let outline = self.outlines.clone();
+        self.hatch(blends, outline);
+    }
+
+    /// Hatches inside an outline, one for each material that is there.
+    pub(super) fn hatch(&mut self, blends: Blends, outline: Path) {
         let used = |&index: &usize| blends.mixes.iter().any(|mix| mix.fractions()[index] > 0.0);
         let solid = self.solution.model.materials().iter().enumerate().filter(|(_, material)| !material.void);
         let materials = solid.map(|(index, _)| index).filter(used).collect();
-        let (outline, color) = (self.outlines.clone(), self.theme.boundary.color);
+        let color = self.theme.boundary.color;
         self.list.push("material", Item::Hatch { blends, materials, outline, color });
     }
 
@@ -210,28 +219,28 @@ impl Drawing<'_> {
         }
     }
 
-    /// The current in-between curve. On the bare canvas, where no band shows the material, it wears that of its own points.
     fn current(&mut self, band: &Band, s: f64) {
-        let mut line = band.in_between(s);
+        let materials = self.colors();
+        let shade = |ruling: &Ruling| {
+            let [near, far] = end_colors(ruling, &materials);
+            near.lerp(far, s as f32)
+        };
+        self.worn(band.in_between(s), band.is_closed(), || band.rulings().iter().map(shade).collect());
+    }
+
+    /// The current in-between curve. On the bare canvas, where no band shows the material, it wears that of its own points.
+    pub(super) fn worn(&mut self, mut line: Vec<DVec2>, closed: bool, shades: impl FnOnce() -> Vec<Oklab>) {
         let is_shown = self.shows(LayerName::Material) || self.shows(LayerName::UnitCells);
         if is_shown || self.options.patterns {
-            self.cased("current", Path { rings: vec![line], closed: band.is_closed() }, self.theme.current);
+            self.cased("current", Path { rings: vec![line], closed }, self.theme.current);
             return;
         }
         let casing = StrokeStyle { width_px: WORN_WIDTH + 2.0, ..self.theme.boundary };
-        self.stroke("current", Path { rings: vec![line.clone()], closed: band.is_closed() }, casing);
-        let materials = self.colors();
-        let shades: Vec<Oklab> = band
-            .rulings()
-            .iter()
-            .map(|ruling| {
-                let [near, far] = end_colors(ruling, &materials);
-                near.lerp(far, s as f32)
-            })
-            .collect();
+        self.stroke("current", Path { rings: vec![line.clone()], closed }, casing);
+        let shades = shades();
         let count = line.len();
         // The number of the last point; that of a closed line is the first again.
-        let last = if band.is_closed() { count } else { count - 1 };
+        let last = if closed { count } else { count - 1 };
         line.push(line[0]);
         let (mut start, mut worn) = (0, None);
         for k in 0..=last {
@@ -246,32 +255,37 @@ impl Drawing<'_> {
     }
 
     /// Lines at every tenth of the fraction, each second one firm.
-    fn iso_lines(&mut self, band: &Band) {
+    pub(super) fn iso_lines(&mut self, lines: &dyn Fn(usize, f64) -> Vec<IsoLine>) {
         let material = self.options.iso_material;
         if !self.shows(LayerName::IsoComposition) || material >= self.solution.model.materials().len() {
             return;
         }
         for tenth in [1, 3, 5, 7, 9, 2, 4, 6, 8] {
             let style = self.inside(if tenth % 2 == 0 { self.theme.iso } else { self.theme.iso_minor });
-            for line in band.iso_lines(material, f64::from(tenth) / 10.0) {
+            for line in lines(material, f64::from(tenth) / 10.0) {
                 let path = Path { rings: vec![line.points], closed: line.closed };
                 self.stroke("iso-composition", path, style);
             }
         }
     }
 
-    fn lines(&mut self, problem: &Problem, lines: &[RulingLine]) {
+    /// The lines of a solution; `before` is the number of lines that stand before them in a stack, where they may be drawn curved.
+    pub(super) fn lines(&mut self, solution: &Solution, before: usize, curved: Option<Vec<Vec<DVec2>>>) {
+        let Some((problem, lines, _)) = solution.lines() else { return };
         let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
             lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();
-        let broken = self.solution.broken();
+        let broken = solution.broken();
         let these = |bad: bool| Path {
-            rings: segments
-                .iter()
-                .enumerate()
-                .filter(|&(k, _)| broken.get(k).is_some_and(|&broken| broken) == bad)
-                .map(|(_, segment)| segment.clone())
-                .collect(),
+            rings: match &curved {
+                Some(curved) if !bad => curved.clone(),
+                _ => segments
+                    .iter()
+                    .enumerate()
+                    .filter(|&(k, _)| broken.get(k).is_some_and(|&broken| broken) == bad)
+                    .map(|(_, segment)| segment.clone())
+                    .collect(),
+            },
             closed: false,
         };
         if self.shows(LayerName::Value) {
@@ -289,8 +303,13 @@ impl Drawing<'_> {
         if self.shows(LayerName::RulingLines) {
             self.stroke("broken-lines", these(true), self.theme.error);
         }
-        if let Some(segment) = self.options.line.and_then(|line| segments.get(line)) {
-            self.cased("line", Path::open(segment.clone()), self.theme.probe);
+        let lifted = self.options.line.and_then(|line| segments.get(line.checked_sub(before)?));
+        if let Some(segment) = lifted {
+            let miss = |line: &Vec<DVec2>| {
+                line[0].distance_squared(segment[0]) + line[line.len() - 1].distance_squared(segment[1])
+            };
+            let curved = curved.iter().flatten().min_by(|a, b| miss(a).total_cmp(&miss(b)));
+            self.cased("line", Path::open(curved.unwrap_or(segment).clone()), self.theme.probe);
         }
     }
 
@@ -320,28 +339,35 @@ impl Drawing<'_> {
     /// Marks what is wrong: vertices without a line, corners of a crossing, places where curves meet.
     fn witnesses(&mut self) {
         let style = StrokeStyle { dash: None, width_px: 2.0, ..self.theme.error };
+        self.bare(self.solution, style);
+        #[cfg(feature = "stack")]
+        for span in self.solution.stack().iter().flat_map(|stack| &stack.spans) {
+            self.bare(span, style);
+        }
+        let fault = match &self.solution.outcome {
+            Outcome::Refused(error) => error.at,
+            _ => None,
+        };
+        let mut centers: Vec<DVec2> = fault.into_iter().collect();
+        #[cfg(feature = "stack")]
+        centers.extend(super::stack::places(self.solution));
+        centers.extend(self.solution.diagnostics.iter().find_map(meeting));
+        if !centers.is_empty() {
+            self.list.push("witness", Item::Crosses { centers, size_px: CROSS_SIZE, style });
+        }
+    }
+
+    /// Rings round the vertices without a line.
+    fn bare(&mut self, solution: &Solution, style: StrokeStyle) {
         if let (Outcome::Matched { matching, is_complete: false, .. }, true) =
-            (&self.solution.outcome, self.shows(LayerName::Unconnected))
+            (&solution.outcome, self.shows(LayerName::Unconnected))
         {
-            let bare = self.solution.model.samples().iter().zip(&matching.totals.uncovered);
+            let bare = solution.model.samples().iter().zip(&matching.totals.uncovered);
             let centers: Vec<DVec2> =
                 bare.flat_map(|(samples, bare)| bare.iter().map(|&vertex| samples.points[vertex])).collect();
             if !centers.is_empty() {
                 self.list.push("unconnected", Item::Rings { centers, radius_px: RING_RADIUS, style });
             }
-        }
-        let fault = match &self.solution.outcome {
-            Outcome::Refused(error) => error.at,
-            Outcome::Unmatched | Outcome::Matched { .. } => None,
-        };
-        let meeting = self.solution.diagnostics.iter().find_map(|diagnostic| match diagnostic {
-            Diagnostic::Crossing { at } => Some(*at),
-            Diagnostic::CoarseSampling { at } => *at,
-            _ => None,
-        });
-        let centers: Vec<DVec2> = fault.into_iter().chain(meeting).collect();
-        if !centers.is_empty() {
-            self.list.push("witness", Item::Crosses { centers, size_px: CROSS_SIZE, style });
         }
     }
 
@@ -354,6 +380,15 @@ impl Drawing<'_> {
     }
 }
 
+/// The place where a remark says that curves or polygons meet.
+pub(super) fn meeting(diagnostic: &Diagnostic) -> Option<DVec2> {
+    match diagnostic {
+        Diagnostic::Crossing { at } => Some(*at),
+        Diagnostic::CoarseSampling { at } => *at,
+        _ => None,
+    }
+}
+
 /// The colours at both ends of a ruling.
 fn end_colors(ruling: &Ruling, colors: &[Oklab]) -> [Oklab; 2] {
     ruling.ends.each_ref().map(|end| mix_colors(colors, end))
@@ -362,7 +397,7 @@ fn end_colors(ruling: &Ruling, colors: &[Oklab]) -> [Oklab; 2] {
 /// The band as a strip of triangles, with the colour of the composition at every end of a ruling.
 ///
 /// Every second ruling serves where there are many: the colour is hardly bent, and the outline cuts the strip to the curves.
-fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
+pub(super) fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
     let stride = if band.per_line().is_multiple_of(4) { 2 } else { 1 };
     let mut mesh = Mesh::default();
     for ruling in band.rulings().iter().step_by(stride) {
@@ -379,7 +414,7 @@ fn smooth_band(band: &Band, colors: &[Oklab]) -> Mesh {
 }
 
 /// The band as unit cells, each in the one colour of its mean composition.
-fn flat_cells(band: &Band, stages: usize, colors: &[Oklab]) -> Mesh {
+pub(super) fn flat_cells(band: &Band, stages: usize, colors: &[Oklab]) -> Mesh {
     let mut mesh = Mesh::default();
     for cell in unit_cells(band, stages) {
         let start = mesh.vertices.len() as u32;
@@ -392,7 +427,7 @@ fn flat_cells(band: &Band, stages: usize, colors: &[Oklab]) -> Mesh {
 
 /// The band as a strip of triangles with compositions. Rulings nearer to the one before than `step` at both ends are passed over, unless
 /// a fraction would change much: hatches are many polygons.
-fn band_blends(band: &Band, step: f64) -> Blends {
+pub(super) fn band_blends(band: &Band, step: f64) -> Blends {
     let mut blends = Blends::default();
     let mut before: Option<&Ruling> = None;
     for ruling in band.rulings() {
@@ -420,7 +455,7 @@ fn band_blends(band: &Band, step: f64) -> Blends {
 }
 
 /// The band as unit cells, each of its mean composition.
-fn cell_blends(band: &Band, stages: usize) -> Blends {
+pub(super) fn cell_blends(band: &Band, stages: usize) -> Blends {
     let mut blends = Blends::default();
     for cell in unit_cells(band, stages) {
         let start = blends.vertices.len() as u32;

@@ -18,6 +18,8 @@ mod options;
 mod painting;
 mod shade;
 mod shape;
+#[cfg(feature = "stack")]
+mod stack;
 mod strip;
 #[cfg(feature = "svg")]
 mod svg;

@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::results::to_value;
 use crate::document::{BandAmounts, CurvesDocument, Solution, amounts};
-use crate::morph::{Band, UnitCell, unit_cells};
+use crate::morph::{UnitCell, unit_cells};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -53,7 +53,16 @@ impl Engine {
     pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
         let document = solution.model.document();
-        to_value(&solution.band().map_or_else(Vec::new, |band| cells(band, document)))
+        let segments = document.segments();
+        #[cfg(feature = "stack")]
+        if let Some(stack) = solution.stack() {
+            let found = stack.blend.as_ref().map_or_else(Vec::new, |blend| {
+                cells(blend.unit_cells(segments), document, segments * blend.spans())
+            });
+            return to_value(&found);
+        }
+        let of_band = |band| cells(unit_cells(band, segments), document, segments);
+        to_value(&solution.band().map_or_else(Vec::new, of_band))
     }
 
     /// The area of the band and the amount of each material in it; null without a complete matching.
@@ -95,9 +104,8 @@ fn result(solution: &Solution, found: BandAmounts) -> AmountsResult<'_> {
     }
 }
 
-/// Unit cells of a band, each with the lower of the numbers of the stages beside it.
-fn cells(band: &Band, document: &CurvesDocument) -> Vec<CellResult> {
-    let segments = document.segments();
+/// Unit cells, each with the lower of the numbers of the stages beside it; `segments` is the number of the last stage.
+fn cells(cells: Vec<UnitCell>, document: &CurvesDocument, segments: usize) -> Vec<CellResult> {
     let convert = |cell: UnitCell| CellResult {
         line: cell.line,
         stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
@@ -107,5 +115,5 @@ fn cells(band: &Band, document: &CurvesDocument) -> Vec<CellResult> {
         fractions: cell.composition.fractions().to_vec(),
         folded: cell.is_folded,
     };
-    unit_cells(band, segments).into_iter().map(convert).collect()
+    cells.into_iter().map(convert).collect()
 }

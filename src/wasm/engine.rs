@@ -54,6 +54,10 @@ impl Engine {
             return Err(to_js(&DocumentError::new(Code::Range, "options.refine", message)));
         }
         let solution = self.solve(text)?;
+        #[cfg(feature = "stack")]
+        if let Some(stack) = solution.stack() {
+            return to_value(&super::stack::stages(&solution, stack, refine));
+        }
         let document = solution.model.document();
         to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, document)))
     }
@@ -64,7 +68,14 @@ impl Engine {
         let options = parse(options)
             .and_then(|options| IsoOptions::read(&options, solution.model.materials().len()))
             .map_err(|e| to_js(&e))?;
-        to_value(&solution.band().map(|band| isolines(band, &options)))
+        #[cfg(feature = "stack")]
+        if let Some(stack) = solution.stack() {
+            let blend = stack.blend.as_ref();
+            let lines = blend.map(|it| isolines(|material, level| it.iso_lines(material, level), &options));
+            return to_value(&lines);
+        }
+        let lines = solution.band();
+        to_value(&lines.map(|band| isolines(|material, level| band.iso_lines(material, level), &options)))
     }
 
     /// What the band holds at a point.
@@ -75,12 +86,12 @@ impl Engine {
 
     /// The steps of the greedy construction, of a document with that method: lists of numbers, which `js/steps.js` names.
     pub fn steps(&mut self, text: &str) -> Result<JsValue, JsValue> {
-        to_value(&steps(&*self.solve(text)?))
+        to_value(&steps(&*self.solve_pair(text, "steps")?))
     }
 
     /// What a vertex of a curve, 0 or 1, sees and may have after so many accepted lines, as lists of numbers.
     pub fn sets(&mut self, text: &str, step: usize, curve: usize, vertex: usize) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
+        let solution = self.solve_pair(text, "sets")?;
         to_value(&sets(&solution, step, curve, vertex).map_err(|e| to_js(&e))?)
     }
 
@@ -131,6 +142,18 @@ impl Engine {
 
     pub(super) fn solve(&mut self, text: &str) -> Result<Rc<Solution>, JsValue> {
         self.solve_to(text, false)
+    }
+
+    /// The solution of a document of at most two curves, for a function that takes no more.
+    pub(super) fn solve_pair(&mut self, text: &str, name: &str) -> Result<Rc<Solution>, JsValue> {
+        let solution = self.solve(text)?;
+        let count = solution.model.curves().len();
+        if count > 2 {
+            let message =
+                format!("{count} curves were found; `{name}` takes 2, such as `span` gives of a stack");
+            return Err(to_js(&DocumentError::new(Code::Range, "curves", message)));
+        }
+        Ok(solution)
     }
 
     fn solve_to(&mut self, text: &str, coarse: bool) -> Result<Rc<Solution>, JsValue> {

@@ -46,7 +46,7 @@ struct RivalResult {
 impl Engine {
     /// A ruling line with the parts of its value and its rivals at both ends; null where there is no such line.
     pub fn explain(&mut self, text: &str, line: usize) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
+        let solution = self.solve_pair(text, "explain")?;
         to_value(&explain(&solution, line))
     }
 }

@@ -18,6 +18,8 @@ mod paths;
 mod results;
 #[cfg(feature = "solid")]
 mod solid;
+#[cfg(feature = "stack")]
+mod stack;
 #[cfg(feature = "svg")]
 mod svg;
 

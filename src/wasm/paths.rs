@@ -31,7 +31,7 @@ impl Engine {
     pub fn morph_paths(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
         let options =
             parse(options).and_then(|options| PathOptions::read(&options)).map_err(|e| to_js(&e))?;
-        let solution = self.solve(text)?;
+        let solution = self.solve_pair(text, "morphPaths")?;
         let found = paths(&solution, &options).map_err(|e| to_js(&e))?;
         to_value(&found.map(|pair| result(&solution, &pair)))
     }

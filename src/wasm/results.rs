@@ -3,13 +3,13 @@
 #[cfg(feature = "solid")]
 use crate::document::Model;
 use crate::document::{
-    Code, CurvesDocument, Diagnostic, DocumentError, GapKind, IsoOptions, Outcome, Solution,
+    Code, CurvesDocument, Diagnostic, DocumentError, Gap, GapKind, IsoOptions, Outcome, Solution,
 };
 use crate::matching::{
     Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
     VertexSets, trace, vertex_sets,
 };
-use crate::morph::{Band, Place};
+use crate::morph::{Band, IsoLine, Place};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
@@ -32,6 +32,16 @@ pub(super) struct MatchResult {
     #[serde(rename = "optimumChange")]
     optimum_change: Option<f64>,
     coarse: bool,
+    /// Of a stack, the result of every span, the place s of every curve, and the parameters of every thread on every curve.
+    #[cfg(feature = "stack")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    spans: Option<Vec<MatchResult>>,
+    #[cfg(feature = "stack")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    knots: Option<Vec<f64>>,
+    #[cfg(feature = "stack")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    threads: Option<Vec<Vec<f64>>>,
     #[cfg(feature = "solid")]
     #[serde(skip_serializing_if = "Option::is_none")]
     projection: Option<ProjectionResult>,
@@ -50,7 +60,7 @@ pub(super) struct ProjectionResult {
 }
 
 #[derive(Serialize)]
-struct SamplesResult {
+pub(super) struct SamplesResult {
     parameters: Vec<f64>,
     points: Vec<[f64; 2]>,
     normals: Vec<[f64; 2]>,
@@ -75,40 +85,43 @@ struct PairResult {
 }
 
 #[derive(Serialize)]
-struct TotalsResult {
-    growth: Option<GrowthTotals>,
-    lines: Option<LineTotals>,
-    pairs: Option<LineTotals>,
+pub(super) struct TotalsResult {
+    pub(super) growth: Option<GrowthTotals>,
+    pub(super) lines: Option<LineTotals>,
+    pub(super) pairs: Option<LineTotals>,
 }
 
 /// The lines that the growth accepted, before redundant ones are removed.
 #[derive(Serialize)]
-struct GrowthTotals {
-    count: usize,
-    sum: f64,
+pub(super) struct GrowthTotals {
+    pub(super) count: usize,
+    pub(super) sum: f64,
 }
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-struct LineTotals {
-    count: usize,
-    sum: f64,
-    mean: Option<f64>,
-    integral: Option<f64>,
-    bound: Option<f64>,
-    eta: Option<f64>,
-    spread_sum: Option<f64>,
-    least_cosine: Option<f64>,
-    longest: Option<f64>,
-    crossings: usize,
-    blocked: usize,
-    uncovered: [Vec<usize>; 2],
+pub(super) struct LineTotals {
+    pub(super) count: usize,
+    pub(super) sum: f64,
+    pub(super) mean: Option<f64>,
+    pub(super) integral: Option<f64>,
+    pub(super) bound: Option<f64>,
+    pub(super) eta: Option<f64>,
+    pub(super) spread_sum: Option<f64>,
+    pub(super) least_cosine: Option<f64>,
+    pub(super) longest: Option<f64>,
+    pub(super) crossings: usize,
+    pub(super) blocked: usize,
+    pub(super) uncovered: [Vec<usize>; 2],
 }
 
 #[derive(Serialize, Default)]
 pub(super) struct DiagnosticResult {
     code: &'static str,
     message: String,
+    #[cfg(feature = "stack")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    span: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -136,23 +149,25 @@ pub(super) struct ViewResult {
 
 #[derive(Serialize)]
 pub(super) struct StageResult {
-    s: f64,
-    points: Vec<[f64; 2]>,
+    pub(super) s: f64,
+    pub(super) points: Vec<[f64; 2]>,
 }
 
 #[derive(Serialize)]
 pub(super) struct ProbeResult {
-    line: usize,
-    s: f64,
-    u: f64,
-    v: f64,
-    at: [f64; 2],
-    fractions: Vec<f64>,
-    value: f64,
-    cosine: f64,
-    length: f64,
-    from: [f64; 2],
-    to: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) span: Option<usize>,
+    pub(super) line: usize,
+    pub(super) s: f64,
+    pub(super) u: f64,
+    pub(super) v: f64,
+    pub(super) at: [f64; 2],
+    pub(super) fractions: Vec<f64>,
+    pub(super) value: f64,
+    pub(super) cosine: f64,
+    pub(super) length: f64,
+    pub(super) from: [f64; 2],
+    pub(super) to: [f64; 2],
 }
 
 impl MatchResult {
@@ -163,11 +178,13 @@ impl MatchResult {
     pub(super) fn new(solution: &Solution) -> Result<Self, DocumentError> {
         let matched = match &solution.outcome {
             Outcome::Refused(error) => return Err(error.clone()),
-            Outcome::Unmatched => None,
             Outcome::Matched { problem, matching, pairs, gap, details, .. } => {
-                Some((problem, matching, pairs.as_deref(), (gap, details)))
+                Some((&**problem, &**matching, pairs.as_deref(), (gap, details)))
             }
+            _ => None,
         };
+        #[cfg(feature = "stack")]
+        let stack = solution.stack();
         let pairs = matched.and_then(|(_, _, pairs, _)| pairs);
         let gap = matched.and_then(|(.., (gap, _))| gap.as_ref());
         let details = matched.map_or([None, None], |(.., (_, details))| *details);
@@ -190,11 +207,13 @@ impl MatchResult {
             reparameterisation: solution
                 .band()
                 .map_or_else(Vec::new, |band| band.lines().map(|ruling| [ruling.u, ruling.v]).collect()),
-            totals: TotalsResult {
-                growth: matched.and_then(|(_, matching, ..)| growth_totals(matching)),
-                lines: matched.map(|(_, matching, ..)| line_totals(&matching.totals, details[0])),
-                pairs: pairs.map(|pairs| line_totals(&pairs.totals, details[1])),
+            #[cfg(feature = "stack")]
+            totals: match stack {
+                Some(stack) => super::stack::totals(stack),
+                None => totals(matched, pairs, details),
             },
+            #[cfg(not(feature = "stack"))]
+            totals: totals(matched, pairs, details),
             gap: gap.map(|gap| gap.value),
             gap_kind: gap.map(|gap| match gap.kind {
                 GapKind::Refined => "refined",
@@ -204,9 +223,30 @@ impl MatchResult {
             optimum: gap.map(|gap| gap.optimum),
             optimum_change: gap.and_then(|gap| gap.change),
             coarse: solution.is_coarse,
+            #[cfg(feature = "stack")]
+            spans: stack.map(super::stack::spans).transpose()?,
+            #[cfg(feature = "stack")]
+            knots: stack.map(super::stack::knots),
+            #[cfg(feature = "stack")]
+            threads: stack.map(super::stack::threads),
             #[cfg(feature = "solid")]
             projection: ProjectionResult::of(model),
         })
+    }
+}
+
+type Matched<'a> =
+    (&'a Problem, &'a Matching, Option<&'a OneToOne>, (&'a Option<Gap>, &'a [Option<Details>; 2]));
+
+fn totals(
+    matched: Option<Matched<'_>>,
+    pairs: Option<&OneToOne>,
+    details: [Option<Details>; 2],
+) -> TotalsResult {
+    TotalsResult {
+        growth: matched.and_then(|(_, matching, ..)| growth_totals(matching)),
+        lines: matched.map(|(_, matching, ..)| line_totals(&matching.totals, details[0])),
+        pairs: pairs.map(|pairs| line_totals(&pairs.totals, details[1])),
     }
 }
 
@@ -241,7 +281,7 @@ fn pair_results(pairs: &OneToOne) -> Vec<PairResult> {
     (0..pairs.lines.len()).map(pair).collect()
 }
 
-fn line_totals(totals: &Totals, details: Option<Details>) -> LineTotals {
+pub(super) fn line_totals(totals: &Totals, details: Option<Details>) -> LineTotals {
     LineTotals {
         count: totals.count,
         sum: totals.sum,
@@ -327,6 +367,22 @@ impl From<&Diagnostic> for DiagnosticResult {
             }
             Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
             Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
+            #[cfg(feature = "stack")]
+            Diagnostic::InSpan { span, remark } => {
+                result = Self { message: result.message, span: Some(*span), ..Self::from(&**remark) };
+            }
+            #[cfg(feature = "stack")]
+            Diagnostic::Order { curve, at } => {
+                result.curve = Some(*curve);
+                result.at = Some(at.to_array());
+            }
+            #[cfg(feature = "stack")]
+            Diagnostic::Overlap { span, at } => {
+                result.span = Some(*span);
+                result.at = Some(at.to_array());
+            }
+            #[cfg(feature = "stack")]
+            Diagnostic::NoThread => {}
         }
         result
     }
@@ -350,12 +406,12 @@ pub(super) fn stages(band: &Band, document: &CurvesDocument) -> Vec<StageResult>
         .collect()
 }
 
-/// Lines of equal fraction of a band as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of
+/// Lines of equal fraction as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of
 /// each point.
-pub(super) fn isolines(band: &Band, options: &IsoOptions) -> Vec<Vec<f64>> {
+pub(super) fn isolines(lines: impl Fn(usize, f64) -> Vec<IsoLine>, options: &IsoOptions) -> Vec<Vec<f64>> {
     let mut flat = Vec::new();
     for (k, &level) in options.levels.iter().enumerate() {
-        for line in band.iso_lines(options.material, level) {
+        for line in lines(options.material, level) {
             let mut numbers = vec![k as f64, f64::from(u8::from(line.closed))];
             line.points.iter().for_each(|point| numbers.extend([point.x, point.y]));
             flat.push(numbers);
@@ -406,7 +462,7 @@ pub(super) fn sets(
         Outcome::Matched { problem, matching, .. } => {
             (matching.growth.len() + 1, problem.outlines().get(curve).map_or(0, Outline::len))
         }
-        Outcome::Refused(_) | Outcome::Unmatched => (0, 0),
+        _ => (0, 0),
     };
     if step >= steps {
         return refused("options.step", step, steps);
@@ -426,11 +482,27 @@ pub(super) fn sets(
 
 /// What the band holds at a point, and the nearest ruling line; `None` outside the band or without one.
 pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
+    #[cfg(feature = "stack")]
+    if let Some(stack) = solution.stack() {
+        return super::stack::probe(stack, at);
+    }
     let (band, (problem, lines, _)) = (solution.band()?, solution.lines()?);
-    let Place { line, s, u, v, composition } = band.locate(at)?;
+    let place = band.locate(at)?;
+    probed(problem, lines, place, at)
+}
+
+/// What is told of a place and of the ruling line next to it.
+pub(super) fn probed(
+    problem: &Problem,
+    lines: &[RulingLine],
+    place: Place,
+    at: DVec2,
+) -> Option<ProbeResult> {
+    let Place { line, s, u, v, composition } = place;
     let ruling = lines.get(line)?;
     let [first, second] = problem.outlines();
     Some(ProbeResult {
+        span: None,
         line,
         s,
         u,
@@ -451,6 +523,6 @@ pub(super) fn to_value<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsVa
     value.serialize(&serializer).map_err(JsValue::from)
 }
 
-fn arrays(points: &[DVec2]) -> Vec<[f64; 2]> {
+pub(super) fn arrays(points: &[DVec2]) -> Vec<[f64; 2]> {
     points.iter().map(|point| point.to_array()).collect()
 }

@@ -6,7 +6,7 @@ import { load } from "directrix";
 import { PNG } from "pngjs";
 import { paintThumbnail } from "../../scripts/lib/thumbnail.mjs";
 
-const dx = await load({ module: "figure" });
+const dx = await load();
 /** @param {string} id */
 const preset = async (id) => JSON.parse(await readFile(new URL(`../../www/presets/${id}.json`, import.meta.url), "utf8"));
 

@@ -28,9 +28,18 @@ import { isWhole } from "./state/selection.js";
 const words = strings.commands;
 
 const curveCommands = () => import("./stage/curve-commands.js");
+const stackCommands = () => import("./stack/stack-commands.js");
 
 /** @type {(app: App) => string | null} */
-const needsTwo = ({ store }) => (store.document.curves.length === 2 ? null : words.needsTwo);
+const needsTwo = ({ store }) => (store.document.curves.length > 1 ? null : words.needsTwo);
+/** @type {(app: App) => string | null} */
+const needsRoom = ({ store }) => (store.document.curves.length < 16 ? null : words.mostCurves);
+/** @type {(app: App) => string | null} */
+function whyNotInsert(app) {
+  const { curves } = app.store.document;
+  const next = (app.ui.value.selection?.curve ?? 0) + 1;
+  return curves.length < 2 ? words.needsTwo : next < curves.length ? needsRoom(app) : words.lastCurve;
+}
 /** @type {(app: App) => string | null} */
 const needsCurve = ({ ui }) => (ui.value.selection ? null : words.needsCurve);
 /** @type {(app: App) => string | null} */
@@ -49,8 +58,9 @@ function whyNotRemove(app) {
 /** @type {(app: App) => string} */
 function duplicateText({ store, ui }) {
   const { selection } = ui.value;
-  const other = selection && store.document.curves[1 - selection.curve];
-  return other ? words.copyOver(curveName(store.document, 1 - selection.curve)) : words.duplicateCurve;
+  const { curves } = store.document;
+  const other = selection && curves.length === 2 && curves[1 - selection.curve];
+  return other && selection ? words.copyOver(curveName(store.document, 1 - selection.curve)) : words.duplicateCurve;
 }
 
 /** @type {(app: App) => string} */
@@ -233,6 +243,21 @@ export const COMMANDS = [
     },
     run: async (app) => (await curveCommands()).smooth(app),
   },
+  {
+    name: "add-curve",
+    topic: "points",
+    text: words.addCurve,
+    why: (app) => (app.store.document.curves.length > 0 ? (planeOnly(app) ?? needsRoom(app)) : words.needsCurve),
+    run: async (app) => (await stackCommands()).addCurve(app),
+  },
+  {
+    name: "insert-curve",
+    topic: "points",
+    text: words.insertCurve,
+    why: (app) => planeOnly(app) ?? whyNotInsert(app),
+    run: async (app) => (await stackCommands()).insertCurve(app),
+  },
+  { name: "move-curve", topic: "points", text: words.moveCurve, keys: ["Alt+ArrowUp", "Alt+ArrowDown"] },
   {
     name: "delete-curve",
     topic: "points",

@@ -4,7 +4,7 @@
  * @import { CurvesDocument, Diagnostic, Match, Problem } from "./types.js"
  */
 import { coordinate } from "./format.js";
-import { curveName } from "./state/app.js";
+import { curveName, spanName } from "./state/app.js";
 import { strings } from "./strings.js";
 
 /**
@@ -17,7 +17,7 @@ export function explain(document, { code, path = "", message, at }) {
   const where = at ? words.near(coordinate(at[0]), coordinate(at[1])) : "";
   switch (code) {
     case "self-intersection": {
-      const index = /curves\[(\d)\]/.exec(path)?.[1];
+      const index = /curves\[(\d+)\]/.exec(path)?.[1];
       const curve = index === undefined ? words.aCurve : words.curve(curveName(document, Number(index)));
       return words.selfIntersection(curve, where);
     }
@@ -39,9 +39,13 @@ const SHORTFALLS = ["unverified-gap", "sample-limit"];
 /**
  * What to do about a partial result, or null when it is whole.
  * @param {Match} match
+ * @returns {string | null}
  */
-export function advice({ ok, diagnostics, totals }) {
+export function advice({ ok, diagnostics, totals, spans }) {
   const words = strings.advice;
+  // Of a stack, the first span that falls short.
+  const short = spans?.findIndex((span) => !span.ok) ?? -1;
+  if (spans && short >= 0) return `${spanName(short)}: ${advice(spans[short])}`;
   const has = (/** @type {string} */ name) => diagnostics.find(({ code }) => code === name);
   const bad = has("pins");
   if (bad) return pinFault(bad);

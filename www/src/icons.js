@@ -8,6 +8,7 @@ const LINES = {
   undo: "M5.5 2.5 2.5 5.5l3 3M2.5 5.5h6.75a4.25 4.25 0 0 1 0 8.5H6",
   redo: "m10.5 2.5 3 3-3 3M13.5 5.5H6.75a4.25 4.25 0 0 0 0 8.5H10",
   down: "m5 6.75 3 3 3-3",
+  up: "m5 9.25 3-3 3 3",
   right: "m6.5 4.5 3.5 3.5-3.5 3.5",
   minus: "M3.5 8h9",
   plus: "M3.5 8h9M8 3.5v9",
@@ -61,11 +62,11 @@ export function halfDisc() {
   return box;
 }
 
-/** The shape that marks a curve: circle for the first, rounded square for the second. @param {number} curve */
+/** The shape that marks a curve: circle and rounded square by turns, as its handles have them. @param {number} curve */
 export function curveMark(curve) {
   const box = svg("svg", { viewBox: "0 0 16 16", width: 16, height: 16, "aria-hidden": "true", class: "icon" });
   box.append(
-    curve === 0
+    curve % 2 === 0
       ? svg("circle", { cx: 8, cy: 8, r: 4.25, class: "icon-line" })
       : svg("rect", { x: 3.75, y: 3.75, width: 8.5, height: 8.5, rx: 1.5, class: "icon-line" }),
   );

@@ -106,6 +106,7 @@ function assemble(kernel, store, restored, kept) {
   /** @type {Record<Ui>} */
   const ui = new Record({
     mode: "figure",
+    span: 0,
     solid: null,
     step: 1,
     selection: only(1, 2),

@@ -58,7 +58,7 @@ const commands = {
   duplicateCurve: "Duplicate curve, nested",
   copyOver: (/** @type {string} */ curve) => `Copy over ${inSentence(curve)}`,
   rename: "Rename curve",
-  swap: "Swap the two curves",
+  swap: "Swap the curves",
   reverse: "Reverse direction",
   smooth: "Smooth corners",
   deleteCurve: "Delete curve",
@@ -77,6 +77,11 @@ const commands = {
   fieldCommit: "Commit",
   fieldRestore: "Restore",
   needsTwo: "It needs two curves",
+  addCurve: "Add a curve at the end",
+  insertCurve: "Insert a curve after this one",
+  moveCurve: "Move the curve in the stack",
+  lastCurve: "No curve follows this one",
+  mostCurves: "A stack has at most 16 curves",
   needsCurve: "Select a curve first",
   noCorners: "It has no corner",
   planeOnly: "Not with curves in space",
@@ -249,7 +254,7 @@ export const strings = {
   canvas: {
     region: "Figure",
     picture: (/** @type {string} */ title, /** @type {number} */ curves) =>
-      `${title}: ${["no curve yet", "one curve", "two curves, their ruling lines and the material between them"][curves]}`,
+      `${title}: ${["no curve yet", "one curve", "two curves"][curves] ?? `${curves} curves`}${curves > 1 ? ", their ruling lines and the material between them" : ""}`,
     menu: "Commands",
     pointer: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}  y ${y}`,
     zoom: "Zoom and grid",
@@ -279,8 +284,9 @@ export const strings = {
     shape: (/** @type {number} */ degree, /** @type {number} */ points) =>
       `${DEGREES[degree] ?? `degree ${degree}`} · ${plural(points, "point", "points")}`,
     phrase: (/** @type {number[]} */ counts) =>
-      counts.length === 1 ? plural(counts[0], "point", "points") : counts.length === 0 ? "none" : `${counts.join(" and ")} points`,
+      counts.length === 1 ? plural(counts[0], "point", "points") : counts.length === 0 ? "none" : counts.length > 2 ? `${counts.length} curves` : `${counts.join(" and ")} points`,
     one: "Curve",
+    nth: (/** @type {string} */ letter) => `Curve ${letter}`,
     none: "No curve yet.",
     several: (/** @type {number} */ count) => plural(count, "point", "points"),
     point: (/** @type {string} */ name) => `Point ${name}`,
@@ -288,9 +294,8 @@ export const strings = {
     name: "Name, height",
     nameAlone: "Name",
     nameField: "Curve name",
-    inSpace: "In space",
     assumed: (/** @type {string} */ normal, /** @type {string} */ deviation, /** @type {string | null} */ gap) =>
-      `Seen along (${normal}), up to ${deviation} off its plane${gap === null ? "" : `; lengths count the mean gap ${gap}`}.`,
+      `In space: matched as seen along (${normal}). A curve lies up to ${deviation} off its plane${gap === null ? "" : `, and lengths count the mean gap of ${gap}`}.`,
     height: "Height",
     removeNone: "Select a control point first",
     more: "More commands",
@@ -317,7 +322,7 @@ export const strings = {
       `${curve} is smooth now, with ${plural(points, "control point", "control points")}`,
     doubled: (/** @type {string} */ name) => `Doubled ${name}`,
     copied: (/** @type {string} */ curve) => `Copied to ${inSentence(curve)}`,
-    swapped: "Swapped the two curves",
+    swapped: "Swapped the curves",
     reversed: (/** @type {string} */ curve) => `Reversed ${inSentence(curve)}`,
     deleted: (/** @type {string} */ curve) => `Deleted ${inSentence(curve)}`,
     selected: (/** @type {number} */ count) => `${plural(count, "point", "points")} selected`,
@@ -340,10 +345,9 @@ export const strings = {
     minCount: "Fewest",
     maxTurnField: "Greatest turn from one sample to the next, degrees",
     minCountField: "Fewest samples of a curve",
-    taken: (/** @type {number} */ a, /** @type {number} */ b) => `${a} : ${b}`,
+    taken: (/** @type {number[]} */ counts) => counts.join(" : "),
     count: (/** @type {string} */ curve) => `Samples on ${curve}`,
-    phrase: (/** @type {string} */ scheme, /** @type {number} */ a, /** @type {number} */ b) =>
-      `${scheme} · ${a} : ${b}`,
+    phrase: (/** @type {string} */ scheme, /** @type {number[]} */ counts) => `${scheme} · ${counts.join(" : ")}`,
   },
 
   matching: {
@@ -364,9 +368,12 @@ export const strings = {
 
   blend: {
     heading: "Blend",
+    kind: "Across",
+    ruled: "Linear",
+    cubic: "Cubic",
     stages: "Stages",
     names: "Names on the in-betweens",
-    phrase: (/** @type {number} */ stages) => `${plural(stages, "stage", "stages")} · Oklab`,
+    phrase: (/** @type {number} */ stages, /** @type {boolean} */ cubic) => `${plural(stages, "stage", "stages")} · ${cubic ? "cubic" : "Oklab"}`,
   },
 
   materials: {
@@ -514,6 +521,9 @@ export const strings = {
     solvable: "Greedy lines are in their own way: an exact method reaches every vertex.",
     jammed: "Each sees the other curve, but not all can have lines at once: raise the samples or widen the passage.",
     unpaired: "This method may leave vertices out.",
+    order: "A curve is out of order: curves of one height have to lie one inside the next, as the list has them.",
+    overlap: "The cubic blend lies over itself: choose linear, or move the curves apart.",
+    "no-thread": "No line leads through all curves: tie the ends.",
     pins: (/** @type {string} */ pins, /** @type {"blocked" | "cross" | "no-room"} */ reason) =>
       ({
         blocked: `Pin ${pins} meets a curve on its way.`,
@@ -609,6 +619,7 @@ export const strings = {
       pockets: "Pockets",
       measures: "Measures and limits",
       materials: "Materials",
+      stacks: "Stacks",
     },
     notMatchable: "No matching",
   },

@@ -36,12 +36,12 @@
  *
  * @typedef {object} Sampling
  * @property {"arc-length" | "parameter" | "adaptive"} scheme
- * @property {[number, number]} counts
+ * @property {number[]} counts one for each curve, two while a drawing is in progress
  * @property {number} [tolerance] of adaptive samples, as the two below
  * @property {number} [maxTurn]
  * @property {number} [minCount]
  *
- * @typedef {{u: number, v: number}} Pin Parameters on the two curves as drawn.
+ * @typedef {{u: number, v: number, pair?: number}} Pin Parameters on the two curves of a span as drawn; of a stack `pair` is the span.
  *
  * @typedef {object} Matching
  * @property {"exact" | "greedy" | "one-per-vertex" | "shift" | "parameter"} method
@@ -60,7 +60,7 @@
  * @property {boolean} oneToOne
  *
  * @typedef {object} Blend
- * @property {"ruled"} kind
+ * @property {"ruled" | "cubic"} kind
  * @property {number} stages
  *
  * @typedef {object} DocumentView
@@ -77,7 +77,7 @@
  * @property {string} title
  * @property {string} unit
  * @property {Material[]} materials
- * @property {Curve[]} curves two, or fewer while a drawing is in progress
+ * @property {Curve[]} curves two, a stack of more, or fewer while a drawing is in progress
  * @property {Sampling} sampling
  * @property {Matching} matching
  * @property {Blend} blend
@@ -86,10 +86,10 @@
  * @typedef {{width: number, height: number}} Size CSS pixels.
  *
  * @typedef {object} Selection
- * @property {0 | 1} curve
+ * @property {number} curve
  * @property {number[]} points ascending indices of control points; none for the whole curve
  *
- * @typedef {Probe & {boundary?: {curve: 0 | 1, at: number}}} Reading
+ * @typedef {Probe & {boundary?: {curve: number, at: number}}} Reading
  *   What the probe shows; on a curve itself with the place on it, a fraction of its knot domain.
  *
  * @typedef {{code: string, path?: string, message: string, name?: string, at?: Point}} Problem

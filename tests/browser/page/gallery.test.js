@@ -83,7 +83,7 @@ test("each entry says its title and why it matters; the one without a matching i
     assert.equal(/No matching/.test(text), !matched, id);
   }
   const headings = await page.locator("[data-panel=gallery] h3").allInnerTexts();
-  assert.deepEqual(headings, ["Shapes", "Pockets", "Measures and limits", "Materials"]);
+  assert.deepEqual(headings, ["Shapes", "Pockets", "Measures and limits", "Materials", "Stacks"]);
 });
 
 test("arrows go through the grid as it lies, Enter opens, Escape closes and gives the focus back", async (t) => {

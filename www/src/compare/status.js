@@ -47,9 +47,8 @@ export function renderStatus(app, element, { results, cancel, retry }) {
 /** @param {App} app @param {Result[]} done */
 function samples({ store }, done) {
   // The rotations take the larger number on both curves, the others the document's own.
-  const [a, b] = done.at(-1)?.match?.samples ?? [];
-  const [first, second] = store.document.sampling.counts;
-  return strings.sampling.taken(a?.points.length ?? first, b?.points.length ?? second);
+  const taken = done.at(-1)?.match?.samples ?? [];
+  return strings.sampling.taken(store.document.sampling.counts.map((count, k) => taken[k]?.points.length ?? count));
 }
 
 /** @param {App} app */

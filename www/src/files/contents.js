@@ -15,7 +15,7 @@ import { cellsCsv, cellsJson } from "../cells/tables.js";
 import { words } from "../cells/words.js";
 import { currentMatch } from "../state/app.js";
 import { strings } from "../strings.js";
-import { linesCsv, stagesCsv } from "./csv.js";
+import { linesCsv, stackCsv, stagesCsv } from "./csv.js";
 import { documentWithView } from "./document-view.js";
 import { fileName } from "./names.js";
 import { pngOf, svgOf } from "./pictures.js";
@@ -61,6 +61,10 @@ export function nameOf(app, { format, table, content }) {
 async function lines(app) {
   const { document } = app.store;
   const match = currentMatch(app) ?? (await app.kernel.match(document));
+  if (match.spans) {
+    if (match.spans.some((span) => span.lines.length === 0)) throw new Error(strings.exports.noLines);
+    return stackCsv(match.spans, document.curves.map(({ height }) => height));
+  }
   if (match.lines.length === 0) throw new Error(strings.exports.noLines);
   const [first = 0, second = 0] = document.curves.map(({ height }) => height);
   return linesCsv(match, second - first);

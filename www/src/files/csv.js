@@ -13,18 +13,40 @@ const COLUMNS = ["line", "u", "v", "x1", "y1", "x2", "y2", "value", "cosine", "l
  * @param {Pick<Match, "samples" | "lines" | "pairs">} match
  * @param {number} rise the difference of the heights of the curves, which counts in lengths
  */
-export function linesCsv({ samples: [first, second], lines, pairs }, rise) {
+export function linesCsv(match, rise) {
+  const { head, rows } = linesOf(match, rise);
+  return table(head, rows);
+}
+
+/**
+ * The lines of all spans of a stack, each with the number of its span.
+ * @param {Pick<Match, "samples" | "lines" | "pairs">[]} spans
+ * @param {number[]} heights of the curves
+ */
+export function stackCsv(spans, heights) {
+  const tables = spans.map((span, k) => linesOf(span, heights[k + 1] - heights[k]));
+  return table(["span", ...(tables[0]?.head ?? [])], tables.flatMap(({ rows }, k) => rows.map((cells) => [k, ...cells])));
+}
+
+/**
+ * @param {Pick<Match, "samples" | "lines" | "pairs">} match
+ * @param {number} rise
+ * @returns {{head: string[], rows: (number | boolean | undefined)[][]}}
+ */
+function linesOf({ samples: [first, second], lines, pairs }, rise) {
   if (pairs.length > 0) {
-    return table([...COLUMNS, "verified"], pairs.map(({ u, v, value, verified, from, to }, i) => [
+    const rows = pairs.map(({ u, v, value, verified, from, to }, i) => [
       ...[i, u, v, ...from, ...to, value, undefined, distance(from, to, rise), verified],
-    ]));
+    ]);
+    return { head: [...COLUMNS, "verified"], rows };
   }
-  return table([...COLUMNS, "visible"], lines.map(({ from, to, value, visible }, i) => {
+  const rows = lines.map(({ from, to, value, visible }, i) => {
     const [p, n] = /** @type {[Point, Point]} */ ([first.points[from], first.normals[from]]);
     const [q, m] = /** @type {[Point, Point]} */ ([second.points[to], second.normals[to]]);
     const [u, v] = [first.parameters[from], second.parameters[to]];
     return [i, u, v, ...p, ...q, value, n[0] * m[0] + n[1] * m[1], distance(p, q, rise), visible];
-  }));
+  });
+  return { head: [...COLUMNS, "visible"], rows };
 }
 
 /**

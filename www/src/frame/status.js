@@ -11,6 +11,7 @@ import { icon, symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { advice, explain } from "../explain.js";
 import { patch } from "../state/edits.js";
+import { spanName } from "../state/app.js";
 import { keptGaps, shownTotals } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { nextWitness } from "../witness.js";
@@ -98,7 +99,7 @@ function certificates(app, match, ms) {
     item("lines", strong(String(totals.count)), label(words.lines(totals.count))),
     totals.mean !== null ? item("mean", label(words.mean), symbol("f"), strong(numberNode(totals.mean))) : null,
     totals.integral !== null ? item("integral", symbol("J"), strong(numberNode(totals.integral))) : null,
-    totals.eta !== null ? item("eta", symbol("η"), strong(fixed(totals.eta, 3))) : null,
+    totals.eta !== null ? item("eta", symbol("η"), strong(fixed(totals.eta, 3)), ...(totals.span === undefined ? [] : [label(spanName(totals.span))])) : null,
     failure(app, "crossings", words.crossings, totals.crossings, String(totals.crossings)),
     failure(app, "blocked", words.blocked, totals.blocked, String(totals.blocked)),
     failure(app, "uncovered", words.uncovered, a.length + b.length, open ? `${a.length} + ${b.length}` : "0"),

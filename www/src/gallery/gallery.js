@@ -12,7 +12,7 @@ import { openPanel } from "../frame/panel.js";
 import { strings } from "../strings.js";
 import { presetDocument, presets, thumbnail } from "./presets.js";
 
-const TOPICS = /** @type {const} */ (["shapes", "pockets", "measures", "materials"]);
+const TOPICS = /** @type {const} */ (["shapes", "pockets", "measures", "materials", "stacks"]);
 const SIZE = { width: 168, height: 120 };
 
 /**

@@ -1,7 +1,7 @@
 /**
  * The presets with their thumbnails. They come with the gallery, not with the page.
  *
- * @typedef {"shapes" | "pockets" | "measures" | "materials"} Topic
+ * @typedef {"shapes" | "pockets" | "measures" | "materials" | "stacks"} Topic
  *
  * @typedef {object} Preset
  * @property {string} id

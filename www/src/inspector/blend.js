@@ -1,10 +1,10 @@
 /**
- * Blend: how many stages lie between the curves, whether they have names, and how the morph moves.
+ * Blend: how a stack is blended, how many stages lie from curve to curve, whether they have names, and how the morph moves.
  *
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
-import { checkBox } from "../controls/choices.js";
+import { checkBox, segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { h } from "../dom.js";
 import { later } from "../later.js";
@@ -23,6 +23,8 @@ const MOST = 200;
  */
 export function blendGroup(app) {
   const words = strings.blend;
+  /** Two curves are blended alike either way. */
+  const isStack = () => app.store.document.curves.length > 2;
   const stages = weight(
     { label: words.stages, name: "stages", min: 1, reach: REACH, max: MOST, step: 1, whole: true },
     editing(app, (document, value) =>
@@ -30,7 +32,19 @@ export function blendGroup(app) {
     ),
   );
   const names = checkBox({ name: "stage-labels", text: [words.names] }, (on) => app.ui.set({ stageLabels: on }));
-  const body = h("div", {}, row(words.stages, ...stages.controls), row("", names));
+  const kind = segment(
+    {
+      label: words.kind,
+      name: "blend-kind",
+      choices: [
+        { value: "ruled", text: words.ruled },
+        { value: "cubic", text: words.cubic },
+      ],
+    },
+    (value) => app.store.commit({ change: (document) => patch(document, "blend", { kind: value === "cubic" ? "cubic" : "ruled" }) }),
+  );
+  const kindRow = row(words.kind, kind);
+  const body = h("div", {}, kindRow, row(words.stages, ...stages.controls), row("", names));
   const motion = later(app, () => true, async () => {
     const { motionRows } = await import("../morph/motion-rows.js");
     return () => {
@@ -43,8 +57,10 @@ export function blendGroup(app) {
     name: "blend",
     heading: words.heading,
     body,
-    phrase: () => words.phrase(app.store.document.blend.stages),
+    phrase: () => words.phrase(app.store.document.blend.stages, isStack() && app.store.document.blend.kind === "cubic"),
     render() {
+      kindRow.hidden = !isStack();
+      kind.set(app.store.document.blend.kind);
       stages.set(app.store.document.blend.stages);
       names.set(app.ui.value.stageLabels);
       motion.render();

@@ -16,7 +16,7 @@ import { strings } from "../strings.js";
 
 /**
  * @param {App} app
- * @param {0 | 1} curve
+ * @param {number} curve
  */
 export function compositionStrip(app, curve) {
   const bar = h("div", { class: "composition", role: "group", "data-strip": curve });

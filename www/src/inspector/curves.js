@@ -12,6 +12,7 @@ import { row } from "../controls/row.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed, length } from "../format.js";
+import { later } from "../later.js";
 import { attachMenu } from "../frame/menu-button.js";
 import { curveMark, icon, symbol } from "../icons.js";
 import { curveName, currentMatch, pointName } from "../state/app.js";
@@ -31,7 +32,7 @@ const SCALES = { min: 1, max: 10000 };
 /** Commands of the menu behind the three dots. */
 const MORE = [
   ...["draw", "line", "select-all", "select-curve", "line", "duplicate-point", "duplicate-curve", "rename-curve"],
-  ...["reverse-curve", "swap-curves", "smooth-curve", "line", "delete-curve"],
+  ...["reverse-curve", "swap-curves", "smooth-curve", "line", "add-curve", "insert-curve", "line", "delete-curve"],
 ];
 
 /** @type {Alignment[]} */
@@ -45,8 +46,11 @@ const SPREADS = ["across", "down"];
  */
 export function curvesGroup(app) {
   const words = strings.curves;
-  const selection = () => app.ui.value.selection ?? whole(app.store.document.curves.length === 2 ? 1 : 0);
-  const rows = /** @type {const} */ ([0, 1]).map((index) => {
+  const selection = () => app.ui.value.selection ?? whole(Math.max(0, app.store.document.curves.length - 1));
+  const list = h("div", { class: "curve-rows" });
+  /** @type {{button: HTMLElement, name: HTMLElement, shape: HTMLElement}[]} */
+  const rows = [];
+  const addRow = (/** @type {number} */ index) => {
     const name = h("span", {});
     const shape = h("span", { class: "aside number" });
     const button = h(
@@ -61,7 +65,12 @@ export function curvesGroup(app) {
       name,
       shape,
     );
-    return { button, name, shape };
+    rows.push({ button, name, shape });
+    list.append(h("div", { class: "curve-line" }, button));
+  };
+  const tools = later(app, () => app.store.document.curves.length > 1, async () => {
+    const { createStackRows } = await import("../stack/stack-rows.js");
+    return () => createStackRows(app, list);
   });
 
   const place = (/** @type {0 | 1 | 2} */ axis) =>
@@ -89,7 +98,9 @@ export function curvesGroup(app) {
   const x = place(0);
   const y = place(1);
   const z = place(2);
-  const placeRow = row("", x, y, z);
+  z.element.classList.add("short");
+  const placeRow = row("", x, y);
+  const depthRow = row("", z);
   placeRow.classList.add("place");
   const placeLabel = /** @type {HTMLElement} */ (placeRow.firstElementChild);
 
@@ -158,8 +169,7 @@ export function curvesGroup(app) {
   degree.element.classList.add("short");
   const nameRow = row(words.name, name, height);
   const nameLabel = /** @type {HTMLElement} */ (nameRow.firstElementChild);
-  const assumed = h("span", { class: "aside", "data-assumed": "" });
-  const spaceRow = row(words.inSpace, { element: assumed });
+  const assumed = h("p", { class: "note", "data-assumed": "" });
   const corners = h("span", { class: "number" });
   const smooth = h(
     "button",
@@ -188,15 +198,16 @@ export function curvesGroup(app) {
     "div",
     {},
     placeRow,
+    depthRow,
     alignRow,
     spreadRow,
     turnRow,
     nameRow,
-    spaceRow,
+    assumed,
     degreeRow,
   );
   const none = h("p", { class: "note" }, words.none);
-  const body = h("div", {}, ...rows.map(({ button }) => button), none, details);
+  const body = h("div", {}, list, none, details);
 
   return {
     name: "curves",
@@ -208,14 +219,16 @@ export function curvesGroup(app) {
       const { document } = app.store;
       const chosen = selection();
       const { curve, points } = chosen;
+      while (rows.length < document.curves.length) addRow(rows.length);
       rows.forEach((item, index) => {
         const shape = document.curves[index];
-        item.button.hidden = !shape;
+        /** @type {HTMLElement} */ (item.button.parentElement).hidden = !shape;
         if (!shape) return;
         write(item.name, curveName(document, index));
         write(item.shape, words.shape(shape.degree, handleCount(shape)));
         attribute(item.button, "aria-pressed", String(index === curve));
       });
+      tools.render();
       const shape = document.curves[curve];
       details.hidden = !shape;
       none.hidden = Boolean(shape);
@@ -234,7 +247,7 @@ export function curvesGroup(app) {
       x.set(Number(px.toFixed(decimals)));
       y.set(Number(py.toFixed(decimals)));
       z.set(Number(pz.toFixed(decimals)));
-      z.element.hidden = !inSpace;
+      depthRow.hidden = !inSpace;
       alignRow.hidden = spreadRow.hidden = points.length < 2;
       turnRow.hidden = points.length === 1;
       turn.show();
@@ -242,7 +255,7 @@ export function curvesGroup(app) {
       name.set(curveName(document, curve));
       height.set(shape.height);
       height.element.hidden = inSpace;
-      spaceRow.hidden = !inSpace;
+      assumed.hidden = !inSpace;
       write(nameLabel, inSpace ? words.nameAlone : words.name);
       if (inSpace) write(assumed, assumption(app));
       degree.set(shape.degree);

@@ -8,7 +8,7 @@ import { checkBox } from "../controls/choices.js";
 import { newRun } from "../controls/run.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
-import { curveName } from "../state/app.js";
+import { curveName, letterOf } from "../state/app.js";
 import { setHatch } from "../state/hatch.js";
 import { assignMaterial, changeMaterial, holds, isUsed, moveMaterial, removeMaterial } from "../state/materials.js";
 import { inSentence, strings } from "../strings.js";
@@ -32,11 +32,20 @@ export function materialRow(app, index, show) {
   const name = textField({ label: words.name(index), name: `material-${index}`, bare: true }, (text) =>
     commit((document) => changeMaterial(document, index, { name: text })),
   );
-  const holders = /** @type {const} */ ([0, 1]).map((curve) => {
-    const button = h("button", { type: "button", class: "holder", "data-holder": `${curve}-${index}` });
-    button.addEventListener("click", () => commit((document) => assignMaterial(document, curve, index)));
-    return button;
-  });
+  /** @type {HTMLButtonElement[]} */
+  const holders = [];
+  const line = h("div", { class: "material-line" }, swatch, name.element);
+
+  /** A button for every curve; those of curves that are gone hide. @param {number} count */
+  function grow(count) {
+    while (holders.length < count) {
+      const curve = holders.length;
+      const button = h("button", { type: "button", class: "holder", "data-holder": `${curve}-${index}` });
+      button.addEventListener("click", () => commit((document) => assignMaterial(document, curve, index)));
+      holders.push(button);
+      line.append(button);
+    }
+  }
   const details = createDetails(app, index, show);
   details.element.id = `material-details-${index}`;
   attribute(swatch, "aria-controls", details.element.id);
@@ -45,7 +54,7 @@ export function materialRow(app, index, show) {
     element: h(
       "div",
       { class: "material" },
-      h("div", { class: "material-line" }, swatch, name.element, ...holders),
+      line,
       details.element,
     ),
 
@@ -60,12 +69,14 @@ export function materialRow(app, index, show) {
       attribute(swatch, "title", words.details(material.name));
       attribute(swatch, "aria-expanded", String(open));
       name.set(material.name);
+      grow(document.curves.length);
+      line.classList.toggle("many", document.curves.length > 2);
       holders.forEach((button, curve) => {
         const shape = /** @type {Curve | undefined} */ (document.curves[curve]);
         button.hidden = !shape;
         if (!shape) return;
         const label = curveName(document, curve);
-        write(button, inSentence(label));
+        write(button, document.curves.length > 2 ? letterOf(curve) : inSentence(label));
         attribute(button, "aria-label", words.on(label, material.name));
         attribute(button, "aria-pressed", String(holds(shape, index)));
       });

@@ -20,7 +20,9 @@ import { materialRow, PALETTE } from "./material-row.js";
 export function materialsGroup(app) {
   const words = strings.materials;
   const list = h("div", { class: "materials" });
-  const strips = /** @type {const} */ ([0, 1]).map((curve) => compositionStrip(app, curve));
+  /** @type {ReturnType<typeof compositionStrip>[]} */
+  const strips = [];
+  const stripPlace = h("div", {});
   const panel = h("div", {});
   const place = h("div", {});
   const amounts = later(app, () => currentMatch(app) !== null, async () => {
@@ -95,6 +97,11 @@ export function materialsGroup(app) {
     add.disabled = document.materials.length >= MATERIAL_LIMIT;
     attribute(toggle, "aria-pressed", String(composing));
     toggle.disabled = document.curves.length === 0;
+    while (strips.length < document.curves.length) {
+      const strip = compositionStrip(app, strips.length);
+      strips.push(strip);
+      stripPlace.append(strip.element);
+    }
     for (const strip of strips) strip.render();
     renderKeyPanel();
     amounts.render();
@@ -103,7 +110,7 @@ export function materialsGroup(app) {
   return {
     name: "materials",
     heading: words.heading,
-    body: h("div", {}, list, ...strips.map(({ element }) => element), panel, place),
+    body: h("div", {}, list, stripPlace, panel, place),
     commands: [toggle, add],
     phrase: () => words.phrase(app.store.document.materials.map(({ name }) => name)),
     render,

@@ -9,7 +9,7 @@ import { segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { h, write } from "../dom.js";
-import { curveName } from "../state/app.js";
+import { curveName, letterOf } from "../state/app.js";
 import { patch } from "../state/edits.js";
 import { strings } from "../strings.js";
 import { editing } from "./edit.js";
@@ -46,12 +46,12 @@ export function samplingGroup(app) {
       });
     },
   );
-  const counts = /** @type {const} */ ([0, 1]).map((index) =>
+  const count = (/** @type {number} */ index) =>
     numberField(
       {
         label: words.count(curveName(app.store.document, index)),
         name: `count-${index}`,
-        prefix: index === 0 ? "A" : "B",
+        prefix: letterOf(index),
         min: FEWEST,
         max: MOST,
         step: 1,
@@ -59,13 +59,11 @@ export function samplingGroup(app) {
         whole: true,
       },
       editing(app, (document, value) => {
-        const next = /** @type {[number, number]} */ ([...document.sampling.counts]);
-        if (next[index] === value) return document;
-        next[index] = value;
-        return patch(document, "sampling", { counts: next });
+        const { counts } = document.sampling;
+        return counts[index] === value ? document : patch(document, "sampling", { counts: counts.with(index, value) });
       }),
-    ),
-  );
+    );
+  const counts = [0, 1].map(count);
   /**
    * @param {"tolerance" | "maxTurn" | "minCount"} name
    * @param {Omit<import("../controls/number-field.js").NumberOptions, "name">} options
@@ -108,7 +106,7 @@ export function samplingGroup(app) {
     const { sampling } = app.store.document;
     const { match } = app.results.value;
     if (sampling.scheme !== "adaptive") return sampling.counts;
-    return [0, 1].map((k) => match?.samples[k]?.parameters.length ?? 0);
+    return sampling.counts.map((_, k) => match?.samples[k]?.parameters.length ?? 0);
   }
 
   return {
@@ -118,13 +116,21 @@ export function samplingGroup(app) {
     phrase() {
       const { scheme: value } = app.store.document.sampling;
       const text = { "arc-length": words.arcLength, parameter: words.parameter, adaptive: words.adaptive }[value];
-      const [a = 0, b = 0] = numbers();
-      return words.phrase(text.toLowerCase(), a, b);
+      return words.phrase(text.toLowerCase(), numbers());
     },
     render() {
       const { sampling } = app.store.document;
       scheme.set(sampling.scheme);
-      counts.forEach((field, index) => field.set(sampling.counts[index] ?? FEWEST));
+      while (counts.length < sampling.counts.length) {
+        const field = count(counts.length);
+        counts.push(field);
+        even.append(field.element);
+      }
+      even.classList.toggle("many", sampling.counts.length > 2);
+      counts.forEach((field, index) => {
+        field.element.hidden = index >= sampling.counts.length;
+        field.set(sampling.counts[index] ?? FEWEST);
+      });
       even.hidden = sampling.scheme === "adaptive";
       for (const each of adaptive) each.hidden = !even.hidden;
       if (!even.hidden) return;
@@ -132,8 +138,7 @@ export function samplingGroup(app) {
       tolerance.set(fine.tolerance);
       maxTurn.set(fine.maxTurn);
       minCount.set(fine.minCount);
-      const [a = 0, b = 0] = numbers();
-      write(taken, words.taken(a, b));
+      write(taken, words.taken(numbers()));
     },
   };
 }

@@ -12,8 +12,10 @@ import { openPanel } from "../frame/panel.js";
 import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { problem } from "../painter.js";
+import { spanOf } from "../../../js/span.js";
+import { words as stackWords } from "../stack/words.js";
 import { curveName, currentMatch } from "../state/app.js";
-import { shownLines } from "../state/lines.js";
+import { inSpan, shownLines } from "../state/lines.js";
 import { inSentence } from "../strings.js";
 import { toScreen } from "../view.js";
 import { pinLine, pinsOf } from "./pin-edits.js";
@@ -37,8 +39,10 @@ export function createExplainPanel(app, contend) {
   async function fill(line) {
     const { document } = app.store;
     let found;
+    const place = inSpan(currentMatch(app), line);
     try {
-      found = await app.kernel.explain(document, line);
+      const isStack = document.curves.length > 2;
+      found = counted(await app.kernel.explain(isStack ? spanOf(document, place.span) : document, place.line), line - place.line);
     } catch (error) {
       found = problem(error).message;
     }
@@ -48,8 +52,8 @@ export function createExplainPanel(app, contend) {
       return;
     }
     contend(found.ends.flatMap(({ rivals }) => rivals.map(({ from, to }) => /** @type {[Point, Point]} */ ([from, to]))));
-    body.replaceChildren(...partsOf(app, found), ...found.ends.map((end, i) => standing(app, found, end, i)), acts(app, line));
-    app.say(spoken(app, found));
+    body.replaceChildren(...partsOf(app, found), ...found.ends.map((end, i) => standing(app, found, end, place.span + i)), acts(app, line));
+    app.say(spoken(app, found, place.span));
   }
 
   /** Puts the panel where the line is not. @param {number} line */
@@ -130,7 +134,8 @@ function partsOf(app, { value, cosine, length: long, alignment, factors }) {
  */
 function standing(app, { value }, { rank, visible, rivals }, end) {
   const { document } = app.store;
-  const toLines = (currentMatch(app)?.pairs.length ?? 0) > 0;
+  const match = currentMatch(app);
+  const toLines = ((match?.spans?.[0] ?? match)?.pairs.length ?? 0) > 0;
   return h(
     "section",
     { "data-end": end },
@@ -162,6 +167,20 @@ function fateOf({ fate, line, value: its }, value) {
   return words.fates[fate](line ?? 0);
 }
 
+/**
+ * An explanation of a line of a span with all lines counted on through the stack.
+ * @param {Explanation | null} found
+ * @param {number} before lines of the spans before
+ */
+function counted(found, before) {
+  if (!found || before === 0) return found;
+  const ends = found.ends.map((end) => ({
+    ...end,
+    rivals: end.rivals.map((rival) => ({ ...rival, ...(rival.line === null ? {} : { line: rival.line + before }) })),
+  }));
+  return { ...found, line: found.line + before, ends: /** @type {Explanation["ends"]} */ (ends) };
+}
+
 /** @param {App} app @param {number} line */
 function acts(app, line) {
   const count = shownLines(currentMatch(app)).length;
@@ -174,16 +193,16 @@ function acts(app, line) {
   return h(
     "div",
     { class: "explain-acts" },
-    pinned ? h("p", {}, words.pinned) : button("pin", words.pin, () => void pinLine(app, line)),
+    app.store.document.curves.length > 2 ? h("p", {}, stackWords.noPins) : pinned ? h("p", {}, words.pinned) : button("pin", words.pin, () => void pinLine(app, line)),
     button("previous", words.previous, () => go(-1)),
     button("next", words.next, () => go(1)),
   );
 }
 
-/** @param {App} app @param {Explanation} found */
-function spoken(app, { line, ends }) {
+/** @param {App} app @param {Explanation} found @param {number} span */
+function spoken(app, { line, ends }, span) {
   const ranks = ends.map(({ rank, visible }, i) => {
-    const where = words.from(inSentence(curveName(app.store.document, i)));
+    const where = words.from(inSentence(curveName(app.store.document, span + i)));
     return `${where} ${rank === null ? words.unseen(visible) : words.rank(rank, visible)}`;
   });
   return [words.heading(line), ...ranks].join(". ");

@@ -5,7 +5,7 @@
  * @import { Point } from "../types.js"
  */
 import { currentMatch } from "../state/app.js";
-import { shownLines } from "../state/lines.js";
+import { numbered, shownLines } from "../state/lines.js";
 import { toPlane, toScreen } from "../view.js";
 
 /** Pixels from a line at which a click means it. */
@@ -27,7 +27,7 @@ export async function lineAt(app, at) {
   const nearest = aways.indexOf(Math.min(...aways));
   if (nearest < 0 || aways[nearest] <= ON_LINE) return nearest < 0 ? null : nearest;
   const found = await app.kernel.probe(document, toPlane(view, size, at)).catch(() => null);
-  return app.store.document === document ? (found?.line ?? null) : null;
+  return app.store.document === document ? found && numbered(currentMatch(app), found).line : null;
 }
 
 /** Distance of a place from a straight line. @param {Point} at @param {Point} a @param {Point} b */

@@ -34,7 +34,7 @@ export function createPinList(app) {
     render() {
       const pins = pinsOf(app);
       const { curves } = app.store.document;
-      element.hidden = pins.length === 0 || curves.length < 2;
+      element.hidden = pins.length === 0 || curves.length !== 2;
       if (element.hidden) return;
       const key = JSON.stringify(curves.map((curve, i) => [domainOf(curve), curveName(app.store.document, i)]));
       if (key !== made) {

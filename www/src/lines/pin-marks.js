@@ -169,7 +169,7 @@ export function createPinMarks(app) {
   function render() {
     const { mode, view, size, drawing: isDrawing, composing, line, pin: chosen } = app.ui.value;
     const { document } = app.store;
-    layer.hidden = mode !== "figure" || isDrawing || composing || !view || document.curves.length < 2;
+    layer.hidden = mode !== "figure" || isDrawing || composing || !view || document.curves.length !== 2;
     drawing.style.display = layer.hidden ? "none" : "";
     if (layer.hidden || !view) return;
     const match = currentMatch(app);

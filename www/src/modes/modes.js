@@ -70,9 +70,22 @@ export function createModes(app) {
     if (!load) return;
     find("#status").replaceChildren();
     try {
-      const create = await load();
+      const [create, { spanApp, spanChoice }] = await Promise.all([load(), import("../stack/span-view.js")]);
       if (shown !== name) return;
-      view = create(app, { stage, aside, status: find("#status") });
+      const inner = create(spanApp(app), { stage, aside, status: find("#status") });
+      const choice = spanChoice(app);
+      choice.render();
+      element.append(choice.element);
+      view = {
+        render() {
+          choice.render();
+          inner.render();
+        },
+        close() {
+          choice.element.remove();
+          inner.close();
+        },
+      };
       view.render();
     } catch (error) {
       ui.set({ mode: "figure", note: { tone: "error", text: words.failed(problem(error).message) } });

@@ -42,7 +42,7 @@ export function animatedFigure(figure, view, onBand, options) {
   const place = { scale, x: width / 2 - scale * x, y: height / 2 + scale * y };
   const from = moved(options.paths.from, place, DECIMALS);
   const to = moved(options.paths.to, place, DECIMALS);
-  const line = onBand ? cased(from, to, options.motion) : worn(from, to, options);
+  const line = onBand ? cased(from, animate("d", from, to, options.motion)) : worn(from, to, options);
   return figure.replace(/<\/svg>\s*$/, `${line}</svg>\n`);
 }
 
@@ -63,9 +63,8 @@ export function animatedShape(title, transparent, options) {
   );
 }
 
-/** The line over a halo. @param {string} from @param {string} to @param {Motion} motion */
-function cased(from, to, motion) {
-  const change = animate("d", from, to, motion);
+/** The line over a halo. @param {string} from @param {string} change the animation of its path */
+export function cased(from, change) {
   const path = (/** @type {string} */ stroke) => `<path ${stroke} d="${from}">${change}</path>\n`;
   return `<g id="morph" fill="none" stroke-linejoin="round">\n${path(HALO)}${path(LINE)}</g>\n`;
 }

@@ -24,6 +24,8 @@ import { fileName } from "../files/names.js";
 import { scaledSize, svgOf } from "../files/pictures.js";
 import { significantText } from "../format.js";
 import { problem } from "../painter.js";
+import { words as stackWords } from "../stack/words.js";
+import { animatedStack } from "./animated-stack.js";
 import { animatedFigure, animatedShape } from "./animated-svg.js";
 import { LARGEST_FILM, RATES, encoderFor, film } from "./film.js";
 import { FEWEST_FRAMES, MOST_FRAMES, MOST_PIXELS, pngSequence } from "./frames.js";
@@ -38,6 +40,8 @@ const ENDINGS = { svg: "svg", json: "json", css: "css", smil: "svg" };
 const TOLERANCE = 1e-4;
 const FINEST = 1e-8;
 const COARSEST = 0.1;
+/** Stages from curve to curve of a cubic that plays. */
+const SMOOTH = 8;
 /** Milliseconds after the last edit before paths are asked for. */
 const PAUSE = 150;
 
@@ -270,8 +274,21 @@ export function createMorphExport(app) {
     render();
   }
 
+  const isStack = () => app.store.document.curves.length > 2;
+
+  /** The stages of a stack, with as many from curve to curve as a cubic needs to look like one. */
+  async function stages() {
+    const { document } = app.store;
+    const finer = Math.max(document.blend.stages, document.blend.kind === "cubic" ? SMOOTH : 1);
+    const { printed: _, ...matching } = document.matching;
+    const found = await app.kernel.stages({ ...document, matching, blend: { ...document.blend, stages: finer } });
+    if (found.length === 0) throw new Error(words.unmatched);
+    return found;
+  }
+
   /** The paths of the document as it stands. */
   async function found() {
+    if (isStack()) throw new Error(stackWords.onePath);
     const made = await app.kernel.morphPaths(app.store.document, wanted.kind === "paths" && tolerance !== null ? { tolerance } : {});
     if (!made) throw new Error(words.unmatched);
     return made;
@@ -291,6 +308,11 @@ export function createMorphExport(app) {
     }
     const { title, materials } = app.store.document;
     const { size, view, layers, patterns, motion } = app.ui.value;
+    if (isStack()) {
+      if (wanted.shows === "shape" || !view) throw new Error(stackWords.onePath);
+      const closed = app.store.document.curves[0].form !== "open";
+      return animatedStack(await svgOf(app, wanted, { s: null }), view, { stages: await stages(), closed, motion, size });
+    }
     const made = await found();
     const options = { paths: made, motion, materials, size, theme: wanted.theme };
     if (wanted.shows === "shape" || !view) return animatedShape(title, wanted.transparent, options);
@@ -312,7 +334,7 @@ export function createMorphExport(app) {
     const { motion } = app.ui.value;
     const { kind, theme, width, height, transparent, text } = wanted;
     const working = { signal, onframe };
-    if (kind === "png" || kind === "webm") await found();
+    if (kind === "png" || kind === "webm") await (isStack() ? stages() : found());
     if (kind === "png") {
       const sequence = { width, height, theme, transparent, motion, count: wanted.frames };
       return handed(await pngSequence(app, sequence, title, working), `${title}-frames.zip`);

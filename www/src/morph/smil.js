@@ -8,8 +8,8 @@ import { HANDLES, eased, round } from "./motion.js";
 /** Colours between the ends: between two of them renderers mix in sRGB, which hardly differs over so short a way. */
 const STOPS = 8;
 
-/** @param {Motion} motion */
-function timing(motion) {
+/** How long, and how often. @param {Motion} motion */
+export function timing(motion) {
   const ends = motion.repeat === "once" ? ' fill="freeze"' : ' repeatCount="indefinite"';
   return `dur="${Number(round(motion).toFixed(3))}s"${ends}`;
 }

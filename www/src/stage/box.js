@@ -34,7 +34,8 @@ export function createBox(app, handles) {
         return (x - a[0]) * (x - b[0]) <= 0 && (y - a[1]) * (y - b[1]) <= 0;
       }),
     );
-    const curve = /** @type {0 | 1} */ ((found[1]?.length ?? 0) > (found[0]?.length ?? 0) ? 1 : 0);
+    const most = Math.max(0, ...found.map(({ length }) => length));
+    const curve = Math.max(0, found.findIndex(({ length }) => length === most));
     return { curve, points: found[curve] ?? [] };
   }
 

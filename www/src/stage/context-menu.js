@@ -62,7 +62,7 @@ export function openContextMenu(app, held, at, box) {
 /**
  * Adding to the selection without a keyboard: offered where a point of the same curve was chosen already.
  * @param {App} app
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {number} point
  * @param {import("../types.js").Selection | null} before
  * @returns {(Item | "line")[]}

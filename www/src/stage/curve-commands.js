@@ -30,7 +30,7 @@ const words = strings.curves;
 
 /** @param {App} app @returns {Selection} */
 function chosen({ store, ui }) {
-  return ui.value.selection ?? whole(store.document.curves.length === 2 ? 1 : 0);
+  return ui.value.selection ?? whole(Math.max(0, store.document.curves.length - 1));
 }
 
 /**
@@ -85,11 +85,12 @@ export function duplicatePoints(app) {
 }
 
 /** @param {App} app */
-export function duplicate(app) {
+export async function duplicate(app) {
   const { curve } = chosen(app);
+  if (app.store.document.curves.length > 2) return (await import("../stack/stack-commands.js")).duplicate(app, curve);
   const target = app.store.document.curves.length === 2 ? 1 - curve : 1;
   app.store.commit({ change: (document) => duplicateCurve(document, curve) });
-  app.ui.set({ selection: whole(target === 0 ? 0 : 1) });
+  app.ui.set({ selection: whole(target) });
   app.say(words.copied(curveName(app.store.document, target)));
 }
 
@@ -111,7 +112,7 @@ export function rename(app) {
 /** @param {App} app */
 export function swap(app) {
   const { curve, points } = chosen(app);
-  commit(app, swapCurves, { curve: curve === 0 ? 1 : 0, points }, words.swapped);
+  commit(app, swapCurves, { curve: app.store.document.curves.length - 1 - curve, points }, words.swapped);
 }
 
 /** @param {App} app */
@@ -131,7 +132,7 @@ export function removeCurve(app) {
   const { curve } = chosen(app);
   const left = app.store.document.curves.length - 1;
   const said = words.deleted(curveName(app.store.document, curve));
-  commit(app, (document) => deleteCurve(document, curve), left > 0 ? whole(0) : null, said);
+  commit(app, (document) => deleteCurve(document, curve), left > 0 ? whole(Math.max(0, curve - 1)) : null, said);
 }
 
 /**

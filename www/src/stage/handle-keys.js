@@ -111,7 +111,7 @@ export function listenToKeys(app, handles) {
   }
 
   /**
-   * @param {0 | 1} curve
+   * @param {number} curve
    * @param {number | null} point
    * @param {boolean} [extend] keeps the points chosen so far
    */

@@ -15,18 +15,27 @@ import { includes, isWhole, middleOf, singlePoint, whole } from "../state/select
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
 
-/** @typedef {{curve: 0 | 1, point: number | null}} Held */
+/** @typedef {{curve: number, point: number | null}} Held */
 
 /** @param {App} app */
 export function createHandles(app) {
   const overlay = find("#overlay");
   const name = h("span", { class: "handle-name", "aria-hidden": "true" });
-  const groups = /** @type {const} */ ([0, 1]).map((curve) => createGroup(curve));
+  const groups = [0, 1].map(createGroup);
   overlay.append(
     h("p", { id: "handle-help", class: "spoken" }, strings.handles.help),
     ...groups.map((group) => group.element),
     name,
   );
+
+  /** A group for every curve; those of curves that are gone hide. */
+  function grow() {
+    while (groups.length < app.store.document.curves.length) {
+      const group = createGroup(groups.length);
+      groups.push(group);
+      name.before(group.element);
+    }
+  }
 
   return {
     element: overlay,
@@ -35,6 +44,7 @@ export function createHandles(app) {
       const { view, size, selection, layers, drawing, composing } = app.ui.value;
       if (!view) return;
       overlay.hidden = drawing || composing || !layers.includes("controlPoints");
+      grow();
       for (const group of groups) group.render(app, view, size);
       const point = singlePoint(selection);
       const chosen = selection && point !== null ? app.store.document.curves[selection.curve] : null;
@@ -64,7 +74,7 @@ export function createHandles(app) {
           const distance = Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]));
           if (distance > least) continue;
           least = distance;
-          best = { curve: /** @type {0 | 1} */ (c), point: i };
+          best = { curve: c, point: i };
         }
       });
       return best;
@@ -84,7 +94,7 @@ export function createHandles(app) {
   };
 }
 
-/** @param {0 | 1} curve */
+/** @param {number} curve */
 function createGroup(curve) {
   const hit = svg("path", { class: "outline-hit", role: "button", tabindex: "-1", "data-outline": curve });
   const glow = svg("path", { class: "outline-glow", "aria-hidden": "true" });
@@ -104,7 +114,7 @@ function createGroup(curve) {
   function grow(count) {
     while (buttons.length < count) {
       const name = pointName(curve, buttons.length);
-      const button = h("button", { type: "button", class: `handle ${curve === 0 ? "round" : "square"}` });
+      const button = h("button", { type: "button", class: `handle ${curve % 2 === 0 ? "round" : "square"}` });
       button.dataset.handle = name;
       buttons.push(button);
       element.append(button);

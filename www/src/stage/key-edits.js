@@ -4,7 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument } from "../types.js"
  *
- * @typedef {{curve: 0 | 1, index: number}} Key
+ * @typedef {{curve: number, index: number}} Key
  */
 import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
@@ -49,7 +49,7 @@ export function slide(app, { curve, index }, by, name) {
 /**
  * Adds a key, or chooses the one that is there.
  * @param {App} app
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {number} at
  */
 export function insert(app, curve, at) {

@@ -27,8 +27,8 @@ export function createKeys(app) {
     { class: "overlay keys", "data-keys": "" },
     h("p", { id: "key-help", class: "spoken" }, strings.composition.help),
   );
-  const groups = /** @type {const} */ ([0, 1]).map((curve) => createGroup(app, curve, (key) => focus(key)));
-  layer.append(...groups.map(({ element }) => element));
+  /** @type {ReturnType<typeof createGroup>[]} */
+  const groups = [];
   find("#overlay").after(layer);
 
   /** @param {Key} key */
@@ -42,6 +42,11 @@ export function createKeys(app) {
     const { composing, view } = app.ui.value;
     layer.hidden = !composing || !view;
     if (layer.hidden) return;
+    while (groups.length < app.store.document.curves.length) {
+      const group = createGroup(app, groups.length, (key) => focus(key));
+      groups.push(group);
+      layer.append(group.element);
+    }
     for (const group of groups) group.render();
   }
   return { render };
@@ -49,7 +54,7 @@ export function createKeys(app) {
 
 /**
  * @param {App} app
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {(key: Key) => void} focus
  */
 function createGroup(app, curve, focus) {

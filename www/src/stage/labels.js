@@ -86,7 +86,10 @@ export function createLabels(app) {
           onIsolines(known.lines, view, size, handlePlaces(), labels);
         }
       }
-      if (stageLabels && layers.includes("inBetweens")) onInBetweens(app.store.document, match, view, size, labels);
+      if (stageLabels && layers.includes("inBetweens")) {
+        const [spans, knots] = [match.spans ?? [match], match.knots ?? [0, 1]];
+        spans.forEach((span, k) => onInBetweens(app.store.document, span, [knots[k], knots[k + 1]], view, size, labels));
+      }
     }
     const key = JSON.stringify(labels);
     if (key === drawn) return;
@@ -143,12 +146,13 @@ function onIsolines(isolines, view, size, handles, labels) {
  * s on the in-betweens, along the ruling line that goes most steeply over the screen, so that the names stand one above the other. Where both
  * curves hold one pure material each, the fraction of the second follows.
  * @param {CurvesDocument} document
- * @param {Match} match
+ * @param {Match} match of one span
+ * @param {[number, number]} ends of s on it
  * @param {View} view
  * @param {Size} size
  * @param {Label[]} labels
  */
-function onInBetweens(document, match, view, size, labels) {
+function onInBetweens(document, match, [low, high], view, size, labels) {
   const ends = shownLines(match).map(({ from, to }) => [toScreen(view, size, from), toScreen(view, size, to)]);
   const rise = (/** @type {Point[]} */ [a, b]) =>
     isFree(a, size) && isFree(b, size) ? Math.abs(a[1] - b[1]) - Math.abs(a[0] - b[0]) / 2 : -Infinity;
@@ -160,7 +164,7 @@ function onInBetweens(document, match, view, size, labels) {
   const blend = homogeneous(document);
   for (let j = stride; j < stages; j += stride) {
     const s = j / stages;
-    const parts = [` ${fixed(s, 2)}`, ...(blend ? [strings.labels.share(blend.name, percent(blend.at(s)))] : [])];
+    const parts = [` ${fixed(low + s * (high - low), 2)}`, ...(blend ? [strings.labels.share(blend.name, percent(blend.at(s)))] : [])];
     labels.push({ at: [ax + (bx - ax) * s, ay + (by - ay) * s], text: parts.join(" · "), isStage: true });
   }
 }
@@ -170,6 +174,7 @@ function onInBetweens(document, match, view, size, labels) {
  * @param {CurvesDocument} document
  */
 function homogeneous({ curves, materials }) {
+  if (curves.length !== 2) return null;
   const [first, second] = curves.map(({ composition }) =>
     composition.every(({ mix }) => mix.every((part, i) => part === composition[0].mix[i])) ? composition[0].mix : null,
   );

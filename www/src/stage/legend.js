@@ -94,18 +94,17 @@ export function list(names, indices, patterns) {
 }
 
 /**
- * Pairs of different materials, one on the first curve and one on the second; the same two only once.
+ * Pairs of different materials, one on a curve and one on the next; the same two only once.
  * @param {CurvesDocument} document
  * @returns {[number, number][]}
  */
 export function blends({ curves, materials }) {
   const on = curves.map((curve) => materials.map((_, i) => i).filter((i) => holds(curve, i)));
-  const [first = [], second = []] = on;
   /** @type {[number, number][]} */
-  const pairs = first.flatMap((a) =>
-    second.flatMap((b) => (a === b ? [] : [/** @type {[number, number]} */ ([a, b])])),
+  const pairs = on.slice(1).flatMap((second, k) =>
+    on[k].flatMap((a) => second.flatMap((b) => (a === b ? [] : [/** @type {[number, number]} */ ([a, b])]))),
   );
-  const isNew = (/** @type {number[]} */ [a, b], /** @type {number} */ i) => !pairs.slice(0, i).some(([c, d]) => a === d && b === c);
+  const isNew = (/** @type {number[]} */ [a, b], /** @type {number} */ i) => !pairs.slice(0, i).some(([c, d]) => (a === d && b === c) || (a === c && b === d));
   return pairs.filter(isNew).slice(0, STRIPS);
 }
 

@@ -27,8 +27,17 @@ export function createMorph(app) {
   const stage = h("span", { class: "morph-stage number" });
   const control = slider(
     { label: strings.morph.slider, name: "s", min: 0, max: 1, step: STEP },
-    { change: (s) => app.ui.set({ s: snapped(s, segmentsOf(app.store.document)), playing: false }) },
+    { change: (s) => app.ui.set({ s: snapped(s, places()), playing: false }) },
   );
+  /** Places of the stages. Those of a stack follow the ways between its curves, which the result knows. */
+  function places() {
+    const { document } = app.store;
+    const [segments, spans] = [segmentsOf(document), Math.max(1, document.curves.length - 1)];
+    const known = app.results.value.match?.knots;
+    const knots = known?.length === spans + 1 ? known : Array.from({ length: spans + 1 }, (_, k) => k / spans);
+    const between = knots.slice(1).flatMap((to, k) => Array.from({ length: segments }, (_, j) => knots[k] + ((to - knots[k]) * j) / segments));
+    return [...between, 1];
+  }
   const ticks = h("span", { class: "ticks", "aria-hidden": "true" });
   control.element.prepend(ticks);
   control.element.classList.add("large");
@@ -43,7 +52,7 @@ export function createMorph(app) {
   );
   find("#morph-controls").append(play, first, control.element, last, reading);
 
-  let drawnTicks = -1;
+  let drawnTicks = "";
   let face = "";
 
   function toggle() {
@@ -53,11 +62,9 @@ export function createMorph(app) {
       return;
     }
     if (still.matches) {
-      const segments = segmentsOf(app.store.document);
-      const j = Math.floor(s * segments + 1e-9) + 1;
-      const next = j > segments ? 0 : j / segments;
+      const next = places().find((place) => place > s + 1e-9) ?? 0;
       app.ui.set({ s: next, playing: false });
-      app.say(strings.morph.spoken(fixed(next, 2), stageText(next, app.store.document)));
+      app.say(strings.morph.spoken(fixed(next, 2), stageText(next, places(), app.store.document)));
       return;
     }
     app.ui.set({ playing: !playing });
@@ -71,12 +78,14 @@ export function createMorph(app) {
       const { s, playing } = app.ui.value;
       const { document } = app.store;
       write(first, document.curves[0] ? curveName(document, 0) : "");
-      write(last, document.curves[1] ? curveName(document, 1) : "");
+      const end = document.curves.length - 1;
+      write(last, end > 0 ? curveName(document, end) : "");
       write(value, fixed(s, 2));
-      write(stage, stageText(s, document));
+      const all = places();
+      write(stage, stageText(s, all, document));
       control.set(s);
-      attribute(control.input, "aria-valuetext", strings.morph.spoken(fixed(s, 2), stageText(s, document)));
-      const whole = document.curves.length === 2;
+      attribute(control.input, "aria-valuetext", strings.morph.spoken(fixed(s, 2), stageText(s, all, document)));
+      const whole = document.curves.length > 1;
       play.disabled = !whole;
       control.input.disabled = !whole;
       control.element.classList.toggle("disabled", !whole);
@@ -90,13 +99,15 @@ export function createMorph(app) {
         attribute(play, "title", wanted === "none" ? strings.morph.needsTwo : `${label} (${shownKey("Space")})`);
       }
       const segments = segmentsOf(document);
-      const count = segments <= TICKS ? segments : 1;
-      if (count === drawnTicks) return;
-      drawnTicks = count;
+      // Too many would run into each other: the curves stay.
+      const ticked = all.length - 1 <= TICKS ? all : all.filter((_, j) => j % segments === 0);
+      const key = ticked.join(" ");
+      if (key === drawnTicks) return;
+      drawnTicks = key;
       ticks.replaceChildren(
-        ...Array.from({ length: count + 1 }, (_, j) => {
+        ...ticked.map((place) => {
           const tick = h("span", {});
-          tick.style.left = `${(100 * j) / count}%`;
+          tick.style.left = `${100 * place}%`;
           return tick;
         }),
       );
@@ -107,17 +118,15 @@ export function createMorph(app) {
 /**
  * The stage itself when the slider stands within half a step of it.
  * @param {number} s
- * @param {number} stages
+ * @param {number[]} places of the stages
  */
-function snapped(s, stages) {
-  const stage = Math.round(s * stages) / stages;
-  return Math.abs(stage - s) <= STEP / 2 ? stage : s;
-}
+const snapped = (s, places) => places.find((stage) => Math.abs(stage - s) <= STEP / 2) ?? s;
 
-/** @param {number} s @param {CurvesDocument} document */
-function stageText(s, document) {
-  const segments = segmentsOf(document);
-  const j = (countsBack(document) ? 1 - s : s) * segments;
-  const whole = Math.round(j);
-  return Math.abs(j - whole) < 1e-6 ? strings.morph.stage(whole, segments) : strings.morph.between(Math.floor(j), segments);
+/** @param {number} s @param {number[]} places of the stages @param {CurvesDocument} document */
+function stageText(s, places, document) {
+  const last = places.length - 1;
+  const at = places.findIndex((place) => Math.abs(place - s) < 1e-6);
+  const before = places.findLastIndex((place) => place <= s);
+  if (at >= 0) return strings.morph.stage(countsBack(document) ? last - at : at, last);
+  return strings.morph.between(countsBack(document) ? last - before - 1 : before, last);
 }

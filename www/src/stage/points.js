@@ -15,7 +15,7 @@ import { strings } from "../strings.js";
 /**
  * Adds a control point where the curve is nearest to `at`. The shape stays as it is.
  * @param {App} app
- * @param {0 | 1} index
+ * @param {number} index
  * @param {Point} at
  */
 export async function insertAt(app, index, at) {
@@ -37,7 +37,7 @@ export async function insertAt(app, index, at) {
 /**
  * Adds a control point between one and the next, before the last one of an open curve.
  * @param {App} app
- * @param {0 | 1} index
+ * @param {number} index
  * @param {number} point
  */
 export function insertAfter(app, index, point) {
@@ -51,7 +51,7 @@ export function insertAfter(app, index, point) {
 /**
  * Removes control points; says why when the curve cannot spare them.
  * @param {App} app
- * @param {0 | 1} index
+ * @param {number} index
  * @param {readonly number[]} points
  */
 export function remove(app, index, points) {

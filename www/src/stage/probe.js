@@ -10,7 +10,7 @@ import { isOpen, nearestFraction, placeOn } from "../spline.js";
 import { mixAt } from "../state/composition.js";
 import { curveName, currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
-import { shownLines } from "../state/lines.js";
+import { inSpan, numbered, shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { toPlane } from "../view.js";
 
@@ -46,7 +46,7 @@ export function createProbe(app) {
       const turn = wanted;
       const document = app.store.document;
       const probe = (await app.kernel.probe(document, at, { signal })) ?? (await readCurve(document, at, signal));
-      return { probe: app.store.document === document ? probe : null, turn };
+      return { probe: probe && app.store.document === document ? numbered(currentMatch(app), probe) : null, turn };
     },
     done: ({ probe, turn }) => {
       if (turn !== wanted) return;
@@ -74,9 +74,8 @@ export function createProbe(app) {
    */
   async function readCurve(document, at, signal) {
     const scale = app.ui.value.view?.scale ?? 0;
-    for (const curve of /** @type {const} */ ([0, 1])) {
-      const shape = document.curves[curve];
-      if (!shape) continue;
+    const knots = currentMatch(app)?.knots;
+    for (const [curve, shape] of document.curves.entries()) {
       const fraction = nearestFraction(shape, at);
       const place = placeOn(shape, fraction);
       const [dx, dy] = [place.at[0] - at[0], place.at[1] - at[1]];
@@ -86,7 +85,7 @@ export function createProbe(app) {
         const found = await app.kernel.probe(document, inside, { signal });
         if (!found) continue;
         const fractions = mixAt(shape.composition, fraction, isOpen(shape));
-        return { ...found, s: curve, at: place.at, fractions, boundary: { curve, at: fraction } };
+        return { ...found, s: knots?.[curve] ?? curve, at: place.at, fractions, boundary: { curve, at: fraction } };
       }
     }
     return null;
@@ -103,7 +102,12 @@ export function createProbe(app) {
     const { from, to } = chosen;
     wanted += 1;
     const turn = wanted;
-    const at = /** @type {Point} */ ([from[0] + (to[0] - from[0]) * s, from[1] + (to[1] - from[1]) * s]);
+    const match = currentMatch(app);
+    const { span } = inSpan(match, line);
+    const [low = 0, high = 1] = match?.knots?.slice(span, span + 2) ?? [];
+    s = Math.min(high, Math.max(low, s));
+    const share = (s - low) / (high - low);
+    const at = /** @type {Point} */ ([from[0] + (to[0] - from[0]) * share, from[1] + (to[1] - from[1]) * share]);
     const found = await app.kernel.probe(app.store.document, at).catch(() => null);
     if (turn !== wanted || !found) return;
     const probe = { ...found, line, s, at, from, to };

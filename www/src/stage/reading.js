@@ -67,7 +67,9 @@ function outsideBand(curves, view, size) {
   const all = `M-9-9H${size.width + 9}V${size.height + 9}H-9Z`;
   if (curves.length < 2) return all;
   const chains = curves.map((curve) => outline(curve).map(({ at }) => at));
-  const loops = isOpen(curves[0]) ? [joined(chains[0], chains[1])] : chains;
+  // A stack lies between its first and its last curve.
+  const [first, last] = [chains[0], chains[chains.length - 1]];
+  const loops = isOpen(curves[0]) ? [joined(first, last)] : [first, last];
   const rings = loops.map((loop) =>
     loop.map((at) => toScreen(view, size, at).map((value) => value.toFixed(1)).join(" ")).join("L"),
   );

@@ -12,6 +12,7 @@
  * @property {"figure" | "steps" | "compare" | "solid"} mode what the canvas is for
  * @property {import("../solid/state.js").SolidUi | null} solid what the picture of the solid shows; null until something is chosen there
  * @property {"curves" | "lessons"} workbench follows the address
+ * @property {number} span the span of a stack that the modes `steps` and `compare` look at
  * @property {number} step the step of the greedy growth that the mode `steps` shows or would show
  * @property {Selection | null} selection read and made by the functions of selection.js
  * @property {View | null} view null until the first fit
@@ -23,7 +24,7 @@
  * @property {boolean} patterns hatches stand in for the colours of the materials
  * @property {boolean} stageLabels whether the in-betweens have names
  * @property {boolean} composing whether composition keys stand on the curves in place of the control points
- * @property {{curve: 0 | 1, index: number} | null} key the chosen composition key
+ * @property {{curve: number, index: number} | null} key the chosen composition key
  * @property {number} s place of the current in-between, 0 on the first curve
  * @property {boolean} playing
  * @property {import("../morph/motion.js").Motion} motion how the place moves when it plays
@@ -112,6 +113,7 @@ export function curveName(document, index) {
   const own = document.curves[index]?.name;
   if (own) return own;
   if (document.curves.length < 2) return strings.curves.one;
+  if (document.curves.length > 2) return strings.curves.nth(letterOf(index));
   const reach = document.curves.map((curve) => {
     const { points } = seen(curve);
     const xs = points.map((p) => p[0]);
@@ -123,13 +125,19 @@ export function curveName(document, index) {
   return index === outer ? strings.curves.outer : strings.curves.inner;
 }
 
+/** The letter of a curve: A is the first. @param {number} curve */
+export const letterOf = (curve) => String.fromCharCode(65 + curve);
+
+/** A span of a stack by the letters of its curves. @param {number} span */
+export const spanName = (span) => `${letterOf(span)}\u2013${letterOf(span + 1)}`;
+
 /**
  * The short name of a control point: A1 on the first curve, B1 on the second.
  * @param {number} curve
  * @param {number} point
  */
 export function pointName(curve, point) {
-  return `${curve === 0 ? "A" : "B"}${point + 1}`;
+  return `${letterOf(curve)}${point + 1}`;
 }
 
 /**

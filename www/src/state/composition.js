@@ -89,7 +89,7 @@ export function followed(before, after, curve, index) {
 
 /**
  * A chosen key as far as the document has it.
- * @param {{curve: 0 | 1, index: number} | null} key
+ * @param {{curve: number, index: number} | null} key
  * @param {CurvesDocument} document
  */
 export function keyWithin(key, document) {

@@ -16,7 +16,7 @@ export const DEGREES = { min: 2, max: 32 };
  * Where a new curve goes: beside the one that is there, or in place of the chosen one of two.
  * @param {CurvesDocument} document
  * @param {number} chosen
- * @returns {{index: 0 | 1, replaces: boolean}}
+ * @returns {{index: number, replaces: boolean}}
  */
 export function placeForCurve({ curves }, chosen) {
   if (curves.length < 2) return { index: curves.length === 0 ? 0 : 1, replaces: false };
@@ -49,34 +49,56 @@ function withShape({ knots: _, ...rest }, { degree, form, points, knots }) {
 }
 
 /**
+ * Takes a curve away, with its sample count and the pins of the spans at its sides.
  * @param {CurvesDocument} document
  * @param {number} index
  * @returns {CurvesDocument}
  */
 export function deleteCurve(document, index) {
-  if (!document.curves[index]) return document;
-  const curves = document.curves.filter((_, i) => i !== index);
-  return index === 0 ? exchangedCounts({ ...document, curves }) : { ...document, curves };
+  const { curves, sampling } = document;
+  if (!curves[index]) return document;
+  const counts = sampling.counts.toSpliced(index, 1);
+  // A drawing in progress has counts for two.
+  if (counts.length < 2) counts.push(sampling.counts[index]);
+  const rest = { ...document, curves: curves.toSpliced(index, 1), sampling: { ...sampling, counts } };
+  if (curves.length < 3) return rest;
+  return withPins(rest, (pair) => (pair === index || pair === index - 1 ? null : pair > index ? pair - 1 : pair));
 }
 
 /**
- * The first curve becomes the second: the morph runs the other way.
+ * Gives pins the numbers that their spans have now; those whose span is gone go with it.
+ * @param {CurvesDocument} document
+ * @param {(pair: number) => number | null} change
+ * @returns {CurvesDocument}
+ */
+export function withPins(document, change) {
+  const { pins, ...matching } = document.matching;
+  if (!pins) return document;
+  const kept = pins.flatMap(({ u, v, pair = 0 }) => {
+    const now = change(pair);
+    return now === null ? [] : [now === 0 ? { u, v } : { u, v, pair: now }];
+  });
+  return { ...document, matching: kept.length > 0 ? { ...matching, pins: kept } : matching };
+}
+
+/**
+ * The first curve becomes the last: the morph runs the other way.
  * @param {CurvesDocument} document
  * @returns {CurvesDocument}
  */
 export function swapCurves(document) {
-  const [a, b] = document.curves;
-  return a && b ? exchangedCounts({ ...document, curves: [b, a] }) : document;
-}
-
-/**
- * Sample counts go with their curves.
- * @param {CurvesDocument} document
- * @returns {CurvesDocument}
- */
-function exchangedCounts(document) {
-  const [a, b] = document.sampling.counts;
-  return { ...document, sampling: { ...document.sampling, counts: [b, a] } };
+  const { curves, sampling, matching } = document;
+  if (curves.length < 2) return document;
+  const pins = matching.pins?.map(({ u, v, pair = 0 }) => {
+    const span = curves.length - 2 - pair;
+    return span === 0 ? { u: v, v: u } : { u: v, v: u, pair: span };
+  });
+  return {
+    ...document,
+    curves: curves.toReversed(),
+    sampling: { ...sampling, counts: sampling.counts.toReversed() },
+    matching: pins ? { ...matching, pins } : matching,
+  };
 }
 
 /**
@@ -111,7 +133,7 @@ export function reversedPoint(curve, point) {
  * A copy of a curve that nests with it: larger round it or, where only a far larger one would clear it, smaller
  * inside; of an open curve one beside it. It comes second, or in place of the other curve, on whose side of the original it then lies.
  * @param {CurvesDocument} document
- * @param {0 | 1} index
+ * @param {number} index
  * @returns {CurvesDocument}
  */
 export function duplicateCurve(document, index) {
@@ -131,7 +153,7 @@ export function duplicateCurve(document, index) {
 /**
  * A copy of an open curve on its left, a quarter of the way from end to end away.
  * @param {CurvesDocument} document
- * @param {0 | 1} index
+ * @param {number} index
  * @param {Curve} curve
  * @returns {CurvesDocument}
  */

@@ -15,6 +15,7 @@ const known = new WeakMap();
  */
 export function shownLines(match) {
   if (!match) return [];
+  if (match.spans) return match.spans.flatMap(shownLines);
   if (match.pairs.length > 0) return match.pairs;
   const lines =
     known.get(match) ??
@@ -28,12 +29,46 @@ export function shownLines(match) {
 }
 
 /**
- * What the shown lines are worth.
+ * What the shown lines are worth. Of a stack: counts of all spans, and eta and J of the span with the least eta.
  * @param {Match} match
- * @returns {Totals | null}
+ * @returns {Totals & {span?: number} | null}
  */
-export function shownTotals({ totals }) {
-  return totals.pairs ?? totals.lines;
+export function shownTotals({ totals, spans }) {
+  const shown = totals.pairs ?? totals.lines;
+  if (!spans || !shown) return shown;
+  const each = spans.map((span) => /** @type {Totals} */ (shownTotals(span)));
+  const etas = each.map(({ eta }) => eta ?? 0);
+  const span = etas.indexOf(Math.min(...etas));
+  const bare = (/** @type {0 | 1} */ side) => each.flatMap(({ uncovered }) => uncovered[side]);
+  const { eta = null, integral = null } = each[span] ?? {};
+  return { ...shown, eta, integral, uncovered: [bare(0), bare(1)], span };
+}
+
+/**
+ * A reading with the number of its line counted on through all spans, as pictures count them.
+ * @template {import("../types.js").Probe} P
+ * @param {Match | null} match
+ * @param {P} probe
+ * @returns {P}
+ */
+export function numbered(match, probe) {
+  const before = match?.spans?.slice(0, probe.span ?? 0) ?? [];
+  return { ...probe, line: before.reduce((sum, span) => sum + shownLines(span).length, probe.line) };
+}
+
+/**
+ * The span of a line that is counted on through all spans, and its number there.
+ * @param {Match | null} match
+ * @param {number} line
+ */
+export function inSpan(match, line) {
+  let span = 0;
+  for (const { length } of match?.spans?.map(shownLines) ?? []) {
+    if (line < length) break;
+    line -= length;
+    span += 1;
+  }
+  return { span, line };
 }
 
 /**

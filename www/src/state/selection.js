@@ -9,14 +9,14 @@ import { seen } from "./in-space.js";
 
 /**
  * A whole curve.
- * @param {0 | 1} curve
+ * @param {number} curve
  * @returns {Selection}
  */
 export const whole = (curve) => ({ curve, points: [] });
 
 /**
  * One control point.
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {number} point
  * @returns {Selection}
  */
@@ -24,7 +24,7 @@ export const only = (curve, point) => ({ curve, points: [point] });
 
 /**
  * Several control points in ascending order, each once. No point is the whole curve.
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {Iterable<number>} points
  * @returns {Selection}
  */
@@ -33,7 +33,7 @@ export const several = (curve, points) => ({ curve, points: [...new Set(points)]
 /**
  * Every control point of a curve, each by itself.
  * @param {CurvesDocument} document
- * @param {0 | 1} curve
+ * @param {number} curve
  * @returns {Selection}
  */
 export const allPoints = (document, curve) => several(curve, Array(handleCount(document.curves[curve])).keys());
@@ -61,7 +61,7 @@ export const includes = (selection, curve, point) => selection?.curve === curve 
  * Adds a point to the selection or takes it out. A point of the other curve, and one beside a whole curve, starts anew;
  * the last point stays, so that a selection of points never turns into one of the curve by accident.
  * @param {Selection | null} selection
- * @param {0 | 1} curve
+ * @param {number} curve
  * @param {number} point
  * @returns {Selection}
  */
