@@ -238,8 +238,7 @@ export const COMMANDS = [
     why: (app) => {
       const { selection } = app.ui.value;
       if (!selection) return words.needsCurve;
-      if (hasSpace(app.store.document)) return words.planeOnly;
-      return cornersOf(app, selection.curve) > 0 ? null : words.noCorners;
+      return planeOnly(app) ?? (cornersOf(app, selection.curve) > 0 ? null : words.noCorners);
     },
     run: async (app) => (await curveCommands()).smooth(app),
   },

@@ -11,14 +11,13 @@ import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, h, write } from "../dom.js";
-import { fixed, length } from "../format.js";
 import { later } from "../later.js";
 import { attachMenu } from "../frame/menu-button.js";
 import { curveMark, icon, symbol } from "../icons.js";
-import { curveName, currentMatch, pointName } from "../state/app.js";
+import { curveName, pointName } from "../state/app.js";
 import { DEGREES, highestDegree, scalePoints, setDegree, turnPoints } from "../state/curve-edits.js";
 import { changeCurve, handleCount, movePoints } from "../state/edits.js";
-import { isInSpace, meanAlong, movedAlong } from "../state/in-space.js";
+import { hasSpace, isInSpace } from "../state/in-space.js";
 import { middleOf, movedPoints, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
@@ -73,12 +72,12 @@ export function curvesGroup(app) {
     return () => createStackRows(app, list);
   });
 
-  const place = (/** @type {0 | 1 | 2} */ axis) =>
+  const place = (/** @type {0 | 1} */ axis) =>
     numberField(
       {
-        label: "xyz"[axis],
-        name: "xyz"[axis],
-        prefix: symbol("xyz"[axis]),
+        label: axis === 0 ? "x" : "y",
+        name: axis === 0 ? "x" : "y",
+        prefix: symbol(axis === 0 ? "x" : "y"),
         min: -FAR,
         max: FAR,
         step: () => arrowStep(app.store.document),
@@ -87,22 +86,20 @@ export function curvesGroup(app) {
       },
       editing(app, (document, value) => {
         const chosen = selection();
-        if (isInSpace(document.curves[chosen.curve])) {
-          const points = movedPoints(document, chosen);
-          return changeCurve(document, chosen.curve, (curve) => movedAlong(curve, points, axis, value - meanAlong(curve, points, axis)));
-        }
-        const by = value - middleOf(document, chosen)[axis === 0 ? 0 : 1];
+        const by = value - middleOf(document, chosen)[axis];
         return movePoints(document, chosen.curve, movedPoints(document, chosen), axis === 0 ? [by, 0] : [0, by]);
       }),
     );
   const x = place(0);
   const y = place(1);
-  const z = place(2);
-  z.element.classList.add("short");
   const placeRow = row("", x, y);
-  const depthRow = row("", z);
   placeRow.classList.add("place");
   const placeLabel = /** @type {HTMLElement} */ (placeRow.firstElementChild);
+
+  const spaceRows = later(app, () => hasSpace(app.store.document), async () => {
+    const { createSpaceRows } = await import("./in-space-rows.js");
+    return () => createSpaceRows(app, placeRow, selection);
+  });
 
   const turn = relative(app, { label: words.turn, name: "turn", prefix: "°", rest: 0, min: -360, max: 360 }, (now, by) =>
     turnPoints(now.document, now.curve, now.points, now.middle, by),
@@ -167,9 +164,6 @@ export function curvesGroup(app) {
     }),
   );
   degree.element.classList.add("short");
-  const nameRow = row(words.name, name, height);
-  const nameLabel = /** @type {HTMLElement} */ (nameRow.firstElementChild);
-  const assumed = h("p", { class: "note", "data-assumed": "" });
   const corners = h("span", { class: "number" });
   const smooth = h(
     "button",
@@ -198,12 +192,10 @@ export function curvesGroup(app) {
     "div",
     {},
     placeRow,
-    depthRow,
     alignRow,
     spreadRow,
     turnRow,
-    nameRow,
-    assumed,
+    row(words.name, name, height),
     degreeRow,
   );
   const none = h("p", { class: "note" }, words.none);
@@ -238,26 +230,19 @@ export function curvesGroup(app) {
       removing.title = commandTitle(app, "delete-points");
       removing.disabled = commandReason(app, "delete-points") !== null;
       if (!shape) return;
-      const inSpace = isInSpace(shape);
-      const [px, py, pz] = inSpace
-        ? [0, 1, 2].map((axis) => meanAlong(shape, movedPoints(document, chosen), axis))
-        : [...middleOf(document, chosen), 0];
+      const [px, py] = middleOf(document, chosen);
       write(placeLabel, placeName(chosen));
+      placeRow.hidden = height.element.hidden = isInSpace(shape);
+      spaceRows.render();
       const decimals = points.length === 1 ? 12 : meanDecimals(arrowStep(document));
       x.set(Number(px.toFixed(decimals)));
       y.set(Number(py.toFixed(decimals)));
-      z.set(Number(pz.toFixed(decimals)));
-      depthRow.hidden = !inSpace;
       alignRow.hidden = spreadRow.hidden = points.length < 2;
       turnRow.hidden = points.length === 1;
       turn.show();
       scale.show();
       name.set(curveName(document, curve));
       height.set(shape.height);
-      height.element.hidden = inSpace;
-      assumed.hidden = !inSpace;
-      write(nameLabel, inSpace ? words.nameAlone : words.name);
-      if (inSpace) write(assumed, assumption(app));
       degree.set(shape.degree);
       const count = cornersOf(app, curve);
       cornerNote.hidden = count === 0;
@@ -276,19 +261,6 @@ function placeName({ curve, points }) {
   const words = strings.curves;
   if (points.length === 0) return words.center;
   return points.length === 1 ? words.point(pointName(curve, points[0])) : words.several(points.length);
-}
-
-/**
- * What the projection of curves in space takes for granted: the direction, how far they are from their planes, and what lengths count.
- * @param {App} app
- */
-function assumption(app) {
-  const projection = currentMatch(app)?.projection;
-  if (!projection) return "";
-  const { normal, deviation, heights } = projection;
-  const { unit } = app.store.document;
-  const gap = heights.length > 1 ? length(Math.abs(heights[1] - heights[0]), unit) : null;
-  return strings.curves.assumed(normal.map((part) => fixed(part, 2)).join(", "), length(deviation, unit), gap);
 }
 
 /**

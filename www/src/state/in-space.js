@@ -2,7 +2,7 @@
  * Curves in space as the canvas shows them: projected along the direction in which the kernel matches them. Everything that places,
  * finds or moves control points on the canvas goes through here; a plane curve is its own projection.
  *
- * @import { Curve, CurvesDocument, Point, Shape } from "../types.js"
+ * @import { CurvesDocument, Point, Shape } from "../types.js"
  *
  * @typedef {[number, number, number]} Vector
  */
@@ -65,30 +65,4 @@ export function moved(from, was, to) {
       return by === 0 ? value : Number((value + by).toPrecision(DIGITS));
     })
   );
-}
-
-/**
- * The mean of some control points along an axis of the document.
- * @param {Curve} curve
- * @param {readonly number[]} points
- * @param {number} axis
- */
-export const meanAlong = ({ points: all }, points, axis) => points.reduce((sum, i) => sum + all[i][axis] / points.length, 0);
-
-/**
- * Moves some control points of a curve in space along an axis of the document.
- * @param {Curve} curve
- * @param {readonly number[]} points
- * @param {number} axis
- * @param {number} by
- * @returns {Curve}
- */
-export function movedAlong(curve, points, axis, by) {
-  if (by === 0) return curve;
-  const chosen = new Set(points);
-  if (curve.form === "clamped" && chosen.has(0)) chosen.add(curve.points.length - 1);
-  const next = curve.points.map((at, i) =>
-    chosen.has(i) ? at.map((value, k) => (k === axis ? Number((value + by).toPrecision(12)) : value)) : at,
-  );
-  return { ...curve, points: /** @type {Point[]} */ (next) };
 }
