@@ -317,7 +317,7 @@ test("without WebGL the page says so in place of the picture, and all else works
 
 test("curves in space are shown as they are matched, dragged in that plane, raised by a field, and shared", async (t) => {
   const branch = JSON.parse(await readFile(join(root, "www/presets/pipe-branch.json"), "utf8"));
-  const page = await open(t, { viewport: { width: 1200, height: 760 }, hash: writeLink({ document: branch, view: "editor" }) });
+  const page = await open(t, { viewport: { width: 1200, height: 760 }, hash: writeLink({ document: branch }) });
   await page.waitForSelector("#status[data-verdict=verified] [data-total=eta]");
   const first = (await documentOf(page)).curves[0].points.map((/** @type {Point} */ point) => [...point]);
   const normal = /** @type {number[]} */ (dx.match(branch).projection?.normal);
@@ -341,10 +341,15 @@ test("curves in space are shown as they are matched, dragged in that plane, rais
 
   assert.match(await page.locator("[data-assumed]").innerText(), /In space: matched as seen along .* off its plane, and lengths count the mean gap of \d/);
   assert.ok(await field(page, "height").isHidden());
+  await field(page, "space-z").focus();
   await field(page, "space-z").fill("3");
   await page.keyboard.press("Enter");
   await eventually(async () => assert.deepEqual((await documentOf(page)).curves[0].points[2], [dragged[2][0], dragged[2][1], 3]));
   assert.deepEqual(await audit(page, ["#inspector"]), []);
+  await share(page);
+  const { document: shared } = readLink(hashOf(await offered(page, /#/)));
+  assert.deepEqual(/** @type {any} */ (shared).curves[0].points, (await documentOf(page)).curves[0].points);
+  await page.keyboard.press("Escape");
   for (const before of [dragged, first]) {
     await page.locator("[data-action=undo]").click();
     await eventually(async () => assert.deepEqual((await documentOf(page)).curves[0].points, before));
@@ -354,12 +359,6 @@ test("curves in space are shown as they are matched, dragged in that plane, rais
   await eventually(async () => assert.match(await status(page), /Not with curves in space/));
   await page.locator('[data-action="insert-curve"]').waitFor();
   assert.ok(await page.locator('[data-action="insert-curve"]').isDisabled());
-  await share(page);
-  const link = await offered(page, /#/);
-  const shared = readLink(hashOf(link));
-  assert.ok("document" in shared);
-  assert.deepEqual(/** @type {any} */ (shared.document).curves[0].points, first);
-  await page.keyboard.press("Escape");
   await page.keyboard.press("4");
   await shown(page);
   assert.match(await status(page), /matched in the best-fit plane, curves up to 10\.0\smm off it/);

@@ -98,7 +98,7 @@ export function curvesGroup(app) {
 
   const spaceRows = later(app, () => hasSpace(app.store.document), async () => {
     const { createSpaceRows } = await import("./in-space-rows.js");
-    return () => createSpaceRows(app, placeRow, selection);
+    return () => createSpaceRows(app, placeRow, nameRow, selection);
   });
 
   const turn = relative(app, { label: words.turn, name: "turn", prefix: "°", rest: 0, min: -360, max: 360 }, (now, by) =>
@@ -149,6 +149,7 @@ export function curvesGroup(app) {
     ),
   );
   height.element.classList.add("short");
+  const nameRow = row(words.name, name, height);
 
   const degree = numberField(
     { label: words.degree, name: "degree", ...DEGREES, step: 1, decimals: 0, whole: true },
@@ -195,7 +196,7 @@ export function curvesGroup(app) {
     alignRow,
     spreadRow,
     turnRow,
-    row(words.name, name, height),
+    nameRow,
     degreeRow,
   );
   const none = h("p", { class: "note" }, words.none);

@@ -16,6 +16,7 @@ import { changeCurve } from "../state/edits.js";
 import { isInSpace } from "../state/in-space.js";
 import { meanAlong, movedAlong } from "../state/in-space-edits.js";
 import { movedPoints } from "../state/selection.js";
+import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
 import { editing } from "./edit.js";
 import { words } from "./in-space-words.js";
@@ -28,12 +29,13 @@ const DECIMALS = 12;
 /**
  * @param {App} app
  * @param {HTMLElement} place the row of a curve in the plane, which this one stands in for
+ * @param {HTMLElement} name the row of the name, and of the height of a curve in its plane
  * @param {() => Selection} selection
  */
-export function createSpaceRows(app, place, selection) {
-  const field = (/** @type {"x" | "y" | "z"} */ name, /** @type {number} */ axis) =>
+export function createSpaceRows(app, place, name, selection) {
+  const field = (/** @type {"x" | "y" | "z"} */ letter, /** @type {number} */ axis) =>
     numberField(
-      { label: name, name: `space-${name}`, prefix: symbol(name), min: -FAR, max: FAR, step: () => arrowStep(app.store.document), decimals: 2, rounded: true },
+      { label: letter, name: `space-${letter}`, prefix: symbol(letter), min: -FAR, max: FAR, step: () => arrowStep(app.store.document), decimals: 2, rounded: true },
       editing(app, (document, value) => {
         const chosen = selection();
         const points = movedPoints(document, chosen);
@@ -54,6 +56,7 @@ export function createSpaceRows(app, place, selection) {
       const chosen = selection();
       const shape = app.store.document.curves[chosen.curve];
       first.hidden = second.hidden = note.hidden = !isInSpace(shape);
+      write(/** @type {HTMLElement} */ (name.firstElementChild), first.hidden ? strings.curves.name : words.name);
       if (first.hidden) return;
       write(label, place.firstElementChild?.textContent ?? "");
       const points = movedPoints(app.store.document, chosen);
