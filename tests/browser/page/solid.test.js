@@ -355,13 +355,15 @@ test("curves in space are shown as they are matched, dragged in that plane, rais
     await eventually(async () => assert.deepEqual((await documentOf(page)).curves[0].points, before));
   }
 
+  await page.keyboard.press("4");
+  await shown(page);
+  await eventually(async () => assert.match(await status(page), /matched in the best-fit plane, curves up to 10\.0\smm off it/));
+  await page.keyboard.press("1");
+  await page.waitForSelector("#status[data-verdict=verified] [data-total=eta]");
   await page.keyboard.press("d");
   await eventually(async () => assert.match(await status(page), /Not with curves in space/));
   await page.locator('[data-action="insert-curve"]').waitFor();
   assert.ok(await page.locator('[data-action="insert-curve"]').isDisabled());
-  await page.keyboard.press("4");
-  await shown(page);
-  assert.match(await status(page), /matched in the best-fit plane, curves up to 10\.0\smm off it/);
 });
 
 test("on a phone the solid is turned by a finger, with targets of 44 pixels", async (t) => {
