@@ -265,7 +265,12 @@ impl Model {
         } else {
             format!("{seen}the two curves meet near {near}; expected curves that keep apart")
         };
-        Some(DocumentError::new(Code::Contact, format!("curves[{j}].points"), message).with_place(meeting.at))
+        let path = if cfg!(feature = "stack") {
+            format!("curves[{j}].points")
+        } else {
+            "curves[1].points".to_owned()
+        };
+        Some(DocumentError::new(Code::Contact, path, message).with_place(meeting.at))
     }
 }
 
