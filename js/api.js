@@ -101,7 +101,7 @@ export function createApi(engine) {
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
-    cells: (document) => ask(() => engine.cells(toText(document))),
+    cells: (document) => ask(() => whole(engine, "cells").cells(toText(document))),
     isolines: (document, options = {}) =>
       ask(() => {
         const { levels = TENTHS } = options;
@@ -124,7 +124,7 @@ export function createApi(engine) {
         return whole(engine, "svg").svg(text, toText(options, "options"), describe(engine.match(text, false)));
       }),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
-    insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
+    insertPoint: (document, curve, u) => ask(() => whole(engine, "insertPoint").insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
     span: (document, span) => ask(() => spanOf(engine.defaults(toText(document)), span)),
     explain: (document, line) =>

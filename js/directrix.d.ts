@@ -640,6 +640,7 @@ export interface Solid {
 export interface Directrix {
   match(document: DocumentInput, options?: MatchOptions): Match;
   stages(document: DocumentInput, options?: { refine?: number }): Stage[];
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   cells(document: DocumentInput): UnitCell[];
   /** One entry for each level, in the order asked for; empty unless the matching is complete. */
   isolines(document: DocumentInput, options?: IsolineOptions): Isoline[];
@@ -650,6 +651,7 @@ export interface Directrix {
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   svg(document: DocumentInput, options: PictureOptions): string;
   fit(document: DocumentInput, options: PictureSize): View;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
   /** The document of two neighbours of a stack, curve `span` and the next, for functions that take two curves. */

@@ -418,7 +418,7 @@ fn level_curves_in_space_are_plane_curves() {
     }
 }
 
-/// However curves lie in space, their solid is the same, as long as they are seen from the same side: a shift depends on it.
+/// However curves lie in space, the surface between them is the same, as long as they are seen from the same side: a shift depends on it.
 #[test]
 fn a_pose_changes_nothing_of_a_solid() {
     let at_rest = in_space([1.5, 2.0], [0.0, 30.0], DQuat::IDENTITY);
@@ -427,7 +427,15 @@ fn a_pose_changes_nothing_of_a_solid() {
         lines.iter().map(|line| line.value).collect()
     };
     let expected = lines(&solution_of(&at_rest));
-    let volume = solved(&at_rest, with(8, SolidColor::Flank)).volume.expect("watertight");
+    let surface = |solid: &Solid| {
+        let triangles = &solid.mesh.triangles[solid.mesh.groups[0].triangles.clone()];
+        triangles
+            .iter()
+            .map(|&t| solid.mesh.corners(t))
+            .map(|[a, b, c]| (b - a).cross(c - a).length())
+            .sum::<f64>()
+    };
+    let at_rest = solved(&at_rest, with(8, SolidColor::Flank));
     for (axis, angle) in [(DVec3::X, 0.7), (dvec3(1.0, -2.0, 0.5), 1.0), (DVec3::Y, PI / 2.0)] {
         let pose = DQuat::from_axis_angle(axis.normalize(), angle);
         let moved = in_space([1.5, 2.0], [0.0, 30.0], pose);
@@ -438,7 +446,9 @@ fn a_pose_changes_nothing_of_a_solid() {
         assert!(found.len() == expected.len() && solution.is_complete());
         assert!(found.iter().zip(&expected).all(|(a, b)| (a / b - 1.0).abs() < 1e-6), "{angle}");
         let solid = solved(&moved, with(8, SolidColor::Flank));
-        assert!((read_again(&solid.mesh).expect("watertight") / volume - 1.0).abs() < 1e-6);
+        assert!((surface(&solid) / surface(&at_rest) - 1.0).abs() < 1e-9, "{angle}");
+        let volume = read_again(&solid.mesh).expect("watertight");
+        assert!((volume / at_rest.volume.expect("watertight") - 1.0).abs() < 1e-6, "{angle}: {volume}");
         for position in &solid.mesh.positions {
             let back = pose.inverse() * *position;
             assert!(back.truncate().length() > 8.0 && (-2.1..=32.1).contains(&back.z), "{back}");
@@ -533,4 +543,46 @@ fn documents_in_space_are_written_as_they_were_read_and_take_points() {
     let level = in_space([0.0, 0.0], [5.0, 5.0], DQuat::from_rotation_y(1.0));
     let reason = why_no_solid(&solution_of(&level));
     assert_eq!((reason.code, reason.path.as_str()), (Code::NoSolid, "curves[1].points"));
+}
+
+/// Whatever single coordinates, heights and compositions become, solids and files are built or refused, with finite numbers.
+#[test]
+fn wild_documents_are_built_or_refused() {
+    const WILD: [f64; 9] = [0.0, -0.0, 1.0, 1e12, -1e12, 1e-12, 1e-300, 17.0, -3e5];
+    let wild = || proptest::sample::select(WILD.to_vec());
+    let edits = proptest::collection::vec((0..2_usize, 0..16_usize, 0..3_usize, wild()), 0..4);
+    let strategy = (edits, wild(), any::<[bool; 3]>(), 1..4_usize, 0..3_usize);
+    seeded(250, &strategy, |(edits, height, [space, open, caps], stages, format)| {
+        let ring = |radius: f64, z: f64| {
+            let points = (0..16)
+                .map(|k| radius * DVec2::from_angle(f64::from(k) * if open { 0.2 } else { TAU / 16.0 }));
+            let points: Value =
+                points.map(|p| if space { json!([p.x, p.y, z]) } else { json!([p.x, p.y]) }).collect();
+            let height = if space { 0.0 } else { z };
+            json!({"degree": 3, "form": if open { "open" } else { "periodic" }, "points": points, "height": height})
+        };
+        let mut document = document(
+            [ring(10.0, 0.0), ring(25.0, height)],
+            &json!({"method": "greedy", "policy": "repair"}),
+            [12, 16],
+        );
+        for (curve, point, axis, value) in edits {
+            document["curves"][curve]["points"][point][axis.min(if space { 2 } else { 1 })] = json!(value);
+        }
+        let Ok(solution) = read_text(&document.to_string()).and_then(Solve::run) else { return Ok(()) };
+        let options = SolidOptions { stages: Some(stages), caps, color: SolidColor::Flank };
+        let built = SolidJob::run(Rc::new(solution), options);
+        prop_assert!(built.is_ok());
+        let Ok(Some(solid)) = built else { return Ok(()) };
+        prop_assert!(solid.mesh.positions.iter().all(|position| position.is_finite()));
+        prop_assert!(solid.area.is_finite() && solid.volume.is_none_or(f64::is_finite));
+        prop_assert_eq!(
+            solid.is_watertight,
+            read_again(&solid.mesh).is_ok() && !solid.mesh.triangles.is_empty()
+        );
+        let format = [Format::Stl, Format::Ply, Format::Obj][format];
+        let bytes = FileJob::new(format, solid.mesh, solid.colors, &Labels::default()).step(&mut || true);
+        prop_assert!(bytes.is_some_and(|bytes| !bytes.is_empty()));
+        Ok(())
+    });
 }

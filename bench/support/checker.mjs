@@ -10,6 +10,7 @@
  * @typedef {object} Weights
  * @property {number} normal exponent of the product of the normals
  * @property {number} distance exponent of the length
+ * @property {number} [gap] distance between the planes of the curves, which counts in the length
  *
  * @typedef {[number, number]} Place shares of arc length on both curves; along a list they may go beyond 1
  */
@@ -22,15 +23,16 @@ const boundPlaces = 400;
 const boundPartners = 400;
 
 /**
- * The weights of a document whose curves have the same height and negative products count as they are.
+ * The weights of a document in which negative products count as they are.
  *
  * @param {CurvesDocument} document
  * @returns {Weights}
  */
 export function weightsOf({ matching, curves }) {
   const isPlain = (matching.negative ?? "signed") === "signed" && !matching.alignmentWeight && !matching.printed?.length;
-  if (!isPlain || curves.some((curve) => curve.height)) throw new Error("the checker knows plain values in one plane alone");
-  return { normal: matching.normalWeight ?? 1, distance: matching.distanceWeight ?? 2 };
+  if (!isPlain) throw new Error("the checker knows plain values alone");
+  const [first, second] = curves.map(({ height = 0 }) => height);
+  return { normal: matching.normalWeight ?? 1, distance: matching.distanceWeight ?? 2, gap: second - first };
 }
 
 /**
@@ -40,9 +42,9 @@ export function weightsOf({ matching, curves }) {
  * @param {End} q
  * @param {Weights} weights
  */
-export function value(p, q, { normal, distance }) {
+export function value(p, q, { normal, distance, gap = 0 }) {
   const c = p.normal[0] * q.normal[0] + p.normal[1] * q.normal[1];
-  const d = Math.hypot(q.point[0] - p.point[0], q.point[1] - p.point[1]);
+  const d = Math.hypot(q.point[0] - p.point[0], q.point[1] - p.point[1], gap);
   return (normal === 0 ? 1 : Math.sign(c) * Math.abs(c) ** normal) / d ** distance;
 }
 

@@ -1,12 +1,13 @@
 //! The fields of a curves document, read and checked one by one, with the defaults of those left out.
 
+use super::control_points::control_points;
 use super::node::Node;
 use super::schema::{
     BestShift, Blend, BlendKind, CompositionKey, CurveForm, CurveSpec, CurvesDocument, EndRule, Kind,
     LARGEST, LayerName, MatchingSpec, MaterialSpec, Method, NegativeMode, ObjectiveName, Pin, Policy,
     PrintedRule, SMALLEST, Sampling, SamplingScheme, Shift, View,
 };
-use super::{Code, ControlPoints, DocumentError};
+use super::{Code, DocumentError};
 use crate::curve::Fineness;
 
 type Read<T> = Result<T, DocumentError>;
@@ -106,6 +107,9 @@ fn all_open(curves: &[CurveSpec]) -> Read<bool> {
 fn same_space(items: &[Node<'_>], curves: &[CurveSpec]) -> Read<()> {
     let is_in_space = |curve: &CurveSpec| curve.points.in_space().is_some();
     let first = curves.first().is_some_and(is_in_space);
+    if let Some(third) = items.get(2).filter(|_| first) {
+        return Err(third.not_yet("stacks of curves in space"));
+    }
     for (item, curve) in items.iter().zip(curves) {
         if is_in_space(curve) != first {
             let [found, expected] = if first { [2, 3] } else { [3, 2] };
@@ -137,7 +141,7 @@ fn curve(node: &Node<'_>, own: &[CompositionKey]) -> Read<CurveSpec> {
         1 => CurveForm::Clamped,
         _ => CurveForm::Open,
     };
-    let points = ControlPoints::read(&node.need("points")?)?;
+    let points = control_points(&node.need("points")?)?;
     Ok(CurveSpec {
         name: node.get("name")?.map(|n| n.text(100)).transpose()?,
         degree: node.need("degree")?.count()?,

@@ -36,7 +36,7 @@ pub fn insert_point(
     let finer = drawn_curve(spec, curve)?
         .insert_knot(u)
         .map_err(|e| DocumentError::new(Code::Knots, "u", e.to_string()))?;
-    spec.points = finer.points().iter().map(|point| point.to_array()).collect::<Vec<_>>().into();
+    spec.points = finer.points().iter().map(|point| point.to_array()).collect();
     spec.knots = Some(finer.knots().to_vec());
     Ok(document)
 }

@@ -11,6 +11,7 @@ mod diagnostic;
 mod direction;
 mod error;
 mod fields;
+#[cfg(feature = "edit")]
 mod insert_point;
 mod iso_options;
 mod json;
@@ -42,6 +43,7 @@ pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
+#[cfg(feature = "edit")]
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;

@@ -101,13 +101,11 @@ impl Model {
         self.projection.as_ref()
     }
 
-    /// Where the geometry of curves in space is spoken of, as the beginning of a sentence.
-    fn seen(&self) -> &'static str {
-        #[cfg(feature = "solid")]
-        if self.projection.is_some() {
-            return "as they are seen on the plane that fits them best, ";
-        }
-        ""
+    /// What is wrong with the geometry, said of curves in space as it is of their projections.
+    #[cfg(feature = "solid")]
+    fn seen(&self, message: String) -> String {
+        let place = "as they are seen on the plane that fits them best, ";
+        if self.projection.is_some() { format!("{place}{message}") } else { message }
     }
 
     /// The document; of one with curves in space its projection on a plane.
@@ -248,11 +246,9 @@ impl Model {
             }
             _ => "a simple curve",
         };
-        let message = format!(
-            "{}the curve meets itself near {}; expected {expected}",
-            self.seen(),
-            ShownPlace(meeting.at)
-        );
+        let message = format!("the curve meets itself near {}; expected {expected}", ShownPlace(meeting.at));
+        #[cfg(feature = "solid")]
+        let message = self.seen(message);
         let error = DocumentError::new(Code::SelfIntersection, format!("curves[{k}].points"), message);
         Some(error.with_place(meeting.at))
     }
@@ -264,18 +260,15 @@ impl Model {
             return None;
         }
         let meeting = self.curves[i].contact(&self.curves[j])?;
-        let (seen, near) = (self.seen(), ShownPlace(meeting.at));
+        let near = ShownPlace(meeting.at);
         let message = if cfg!(feature = "stack") && curves.len() > 2 {
-            format!("{seen}the curve meets curve {i} near {near}; expected curves that keep apart")
+            format!("the curve meets curve {i} near {near}; expected curves that keep apart")
         } else {
-            format!("{seen}the two curves meet near {near}; expected curves that keep apart")
+            format!("the two curves meet near {near}; expected curves that keep apart")
         };
-        let path = if cfg!(feature = "stack") {
-            format!("curves[{j}].points")
-        } else {
-            "curves[1].points".to_owned()
-        };
-        Some(DocumentError::new(Code::Contact, path, message).with_place(meeting.at))
+        #[cfg(feature = "solid")]
+        let message = self.seen(message);
+        Some(DocumentError::new(Code::Contact, format!("curves[{j}].points"), message).with_place(meeting.at))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The area inside a closed rim, in triangles.
 
+use super::ties::settle;
 use crate::geom::{Bounds, first_self_contact, signed_area};
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
@@ -32,6 +33,8 @@ impl Cap {
     /// Triangulates the area inside a simple polygon of either orientation: the constrained Delaunay triangulation, whose triangles are as blunt
     /// as they can be without a vertex off the rim (L. P. Chew, "Constrained Delaunay triangulations", Algorithmica 4, 1989).
     ///
+    /// Where four vertices lie on a circle their numbers decide.
+    ///
     /// # Errors
     /// When the polygon is not simple, which is decided exactly.
     pub fn new(rim: &[DVec2]) -> Result<Self, CapError> {
@@ -47,7 +50,8 @@ impl Cap {
             return Err(CapError::Crossing { at: rim[edge] });
         }
         let area = signed_area(&polygon);
-        let triangles = triangulate(&polygon, area > 0.0);
+        let mut triangles = triangulate(&polygon, area > 0.0);
+        settle(&polygon, &mut triangles);
         if triangles.len() + 2 == rim.len() {
             Ok(Self { triangles, is_counter_clockwise: area > 0.0 })
         } else {

@@ -15,6 +15,7 @@ mod ply;
 mod row;
 mod shell;
 mod stl;
+mod ties;
 
 pub use angles::{flank_angle, twist_angle};
 pub use cap::{Cap, CapError};

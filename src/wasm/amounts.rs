@@ -1,8 +1,9 @@
-//! How much of each material is in the band.
+//! Unit cells, and how much of each material is in the band.
 
 use super::engine::Engine;
 use super::results::to_value;
-use crate::document::{BandAmounts, Solution, amounts};
+use crate::document::{BandAmounts, CurvesDocument, Solution, amounts};
+use crate::morph::{UnitCell, unit_cells};
 use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
@@ -35,8 +36,35 @@ struct CellsResult {
     folded: usize,
 }
 
+#[derive(Serialize)]
+struct CellResult {
+    line: usize,
+    stage: usize,
+    corners: [[f64; 2]; 4],
+    area: f64,
+    centroid: [f64; 2],
+    fractions: Vec<f64>,
+    folded: bool,
+}
+
 #[wasm_bindgen]
 impl Engine {
+    /// Unit cells.
+    pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
+        let solution = self.solve(text)?;
+        let document = solution.model.document();
+        let segments = document.segments();
+        #[cfg(feature = "stack")]
+        if let Some(stack) = solution.stack() {
+            let found = stack.blend.as_ref().map_or_else(Vec::new, |blend| {
+                cells(blend.unit_cells(segments), document, segments * blend.spans())
+            });
+            return to_value(&found);
+        }
+        let of_band = |band| cells(unit_cells(band, segments), document, segments);
+        to_value(&solution.band().map_or_else(Vec::new, of_band))
+    }
+
     /// The area of the band and the amount of each material in it; null without a complete matching.
     pub fn amounts(&mut self, text: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
@@ -74,4 +102,18 @@ fn result(solution: &Solution, found: BandAmounts) -> AmountsResult<'_> {
         },
         rise: model.gap(),
     }
+}
+
+/// Unit cells, each with the lower of the numbers of the stages beside it; `segments` is the number of the last stage.
+fn cells(cells: Vec<UnitCell>, document: &CurvesDocument, segments: usize) -> Vec<CellResult> {
+    let convert = |cell: UnitCell| CellResult {
+        line: cell.line,
+        stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
+        corners: cell.corners.map(|corner| corner.to_array()),
+        area: cell.area,
+        centroid: cell.centroid.to_array(),
+        fractions: cell.composition.fractions().to_vec(),
+        folded: cell.is_folded,
+    };
+    cells.into_iter().map(convert).collect()
 }

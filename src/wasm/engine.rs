@@ -4,9 +4,8 @@ use super::clock;
 use super::error::to_js;
 use super::json::parse;
 use super::painting::Painting;
-use super::results::{MatchResult, ViewResult, cells, isolines, probe, sets, stages, steps, to_value};
+use super::results::{MatchResult, ViewResult, isolines, probe, sets, stages, steps, to_value};
 use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Memory, Solution, Solve};
-use crate::morph::unit_cells;
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure};
 use glam::DVec2;
 use std::rc::Rc;
@@ -63,22 +62,6 @@ impl Engine {
         to_value(&solution.band_with(refine).map_or_else(Vec::new, |band| stages(&band, document)))
     }
 
-    /// Unit cells.
-    pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
-        let solution = self.solve(text)?;
-        let document = solution.model.document();
-        let segments = document.segments();
-        #[cfg(feature = "stack")]
-        if let Some(stack) = solution.stack() {
-            let found = stack.blend.as_ref().map_or_else(Vec::new, |blend| {
-                cells(blend.unit_cells(segments), document, segments * blend.spans())
-            });
-            return to_value(&found);
-        }
-        let cells = |band| cells(unit_cells(band, segments), document, segments);
-        to_value(&solution.band().map_or_else(Vec::new, cells))
-    }
-
     /// Lines of equal fraction of a material.
     pub fn isolines(&mut self, text: &str, options: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
@@ -126,13 +109,6 @@ impl Engine {
         let document = read(text).map_err(|e| to_js(&e))?;
         let model = document::Model::new(document).map_err(|e| to_js(&e))?;
         to_value(&ViewResult::from(options.fit(&model)))
-    }
-
-    /// The document with one more control point on a curve, which keeps its shape.
-    #[wasm_bindgen(js_name = insertPoint)]
-    pub fn insert_point(&self, text: &str, curve: usize, u: f64) -> Result<JsValue, JsValue> {
-        let document = read(text).and_then(|document| document::insert_point(document, curve, u));
-        to_value(&document.map_err(|e| to_js(&e))?)
     }
 
     /// The document with all defaults spelt out.
@@ -208,7 +184,7 @@ impl Engine {
     }
 }
 
-fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
+pub(super) fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::check_length(text)?;
     document::read(&parse(text)?)
 }

@@ -9,7 +9,7 @@ use crate::matching::{
     Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
     VertexSets, trace, vertex_sets,
 };
-use crate::morph::{Band, IsoLine, Place, UnitCell};
+use crate::morph::{Band, IsoLine, Place};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
@@ -115,7 +115,7 @@ pub(super) struct LineTotals {
     pub(super) uncovered: [Vec<usize>; 2],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, Default)]
 pub(super) struct DiagnosticResult {
     code: &'static str,
     message: String,
@@ -151,17 +151,6 @@ pub(super) struct ViewResult {
 pub(super) struct StageResult {
     pub(super) s: f64,
     pub(super) points: Vec<[f64; 2]>,
-}
-
-#[derive(Serialize)]
-pub(super) struct CellResult {
-    line: usize,
-    stage: usize,
-    corners: [[f64; 2]; 4],
-    area: f64,
-    centroid: [f64; 2],
-    fractions: Vec<f64>,
-    folded: bool,
 }
 
 #[derive(Serialize)]
@@ -326,6 +315,7 @@ impl ProjectionResult {
     }
 }
 
+#[cfg(feature = "solid")]
 impl DiagnosticResult {
     /// A remark that speaks of nothing more than a curve and a place.
     pub(super) fn remark(
@@ -334,26 +324,13 @@ impl DiagnosticResult {
         curve: Option<usize>,
         at: Option<DVec2>,
     ) -> Self {
-        Self {
-            code,
-            message,
-            #[cfg(feature = "stack")]
-            span: None,
-            curve,
-            vertices: None,
-            lines: None,
-            pins: None,
-            reason: None,
-            parameter: None,
-            turn: None,
-            at: at.map(|at| at.to_array()),
-        }
+        Self { code, message, curve, at: at.map(|at| at.to_array()), ..Self::default() }
     }
 }
 
 impl From<&Diagnostic> for DiagnosticResult {
     fn from(diagnostic: &Diagnostic) -> Self {
-        let mut result = Self::remark(diagnostic.code(), diagnostic.to_string(), None, None);
+        let mut result = Self { code: diagnostic.code(), message: diagnostic.to_string(), ..Self::default() };
         match diagnostic {
             Diagnostic::Corner { curve, parameter, at, turn } => {
                 result.curve = Some(*curve);
@@ -427,20 +404,6 @@ pub(super) fn stages(band: &Band, document: &CurvesDocument) -> Vec<StageResult>
             StageResult { s, points: arrays(&band.in_between(s)) }
         })
         .collect()
-}
-
-/// Unit cells, each with the lower of the numbers of the stages beside it; `segments` is the number of the last stage.
-pub(super) fn cells(cells: Vec<UnitCell>, document: &CurvesDocument, segments: usize) -> Vec<CellResult> {
-    let convert = |cell: UnitCell| CellResult {
-        line: cell.line,
-        stage: if document.counts_stages_back() { segments - 1 - cell.stage } else { cell.stage },
-        corners: cell.corners.map(|corner| corner.to_array()),
-        area: cell.area,
-        centroid: cell.centroid.to_array(),
-        fractions: cell.composition.fractions().to_vec(),
-        folded: cell.is_folded,
-    };
-    cells.into_iter().map(convert).collect()
 }
 
 /// Lines of equal fraction as flat lists: the index of the level and whether the line is closed, 0 or 1, then x and y of

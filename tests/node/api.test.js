@@ -145,7 +145,7 @@ test("one-to-one pairs ascend, are verified, and carry the band", () => {
       assert.ok(Math.hypot(at[0] - end[0], at[1] - end[1]) < 1e-9);
     }
   });
-  assert.equal(dx.cells(document).length, 5 * pairs.length);
+  assert.equal(full.cells(document).length, 5 * pairs.length);
   const place = dx.probe(document, [45, 0]);
   assert.ok(place);
   assert.deepEqual([place.value, place.from, place.to], [pairs[place.line].value, pairs[place.line].from, pairs[place.line].to]);
@@ -174,7 +174,7 @@ test("stages, cells and probe agree with the lines", () => {
   });
   assert.equal(dx.stages(amoeba, { refine: 3 })[2].points.length, 3 * match.lines.length);
 
-  const cells = dx.cells(amoeba);
+  const cells = full.cells(amoeba);
   assert.equal(cells.length, 5 * match.lines.length);
   assert.ok(cells.every(({ fractions }) => Math.abs(fractions.reduce((a, b) => a + b) - 1) < 1e-12));
 
@@ -226,7 +226,7 @@ test("a drawing in progress shows what is there and says what is missing", () =>
     assert.ok(match.diagnostics[0].message.startsWith(`${curves.length} of 2 curves`));
     assert.deepEqual([match.totals, match.lines], [{ growth: null, lines: null, pairs: null }, []]);
     assert.deepEqual([match.samples.length, match.reversed.length], [curves.length, curves.length]);
-    assert.deepEqual([dx.stages(document), dx.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
+    assert.deepEqual([dx.stages(document), full.cells(document), dx.probe(document, [0, 0])], [[], [], null]);
     assert.equal(dx.paint(document, { width: 60, height: 40 }).data.length, 60 * 40 * 4);
     assert.match(full.svg(document, { width: 60, height: 40 }), /^<svg/);
     assert.equal(dx.defaults(document).curves.length, curves.length);

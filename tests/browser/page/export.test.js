@@ -90,7 +90,7 @@ test("an SVG has the colours asked for", async (t) => {
 
 test("tables hold what the kernel says, digit for digit", async (t) => {
   const page = await openPage(t);
-  const dx = await load({ module: "figure" });
+  const dx = await load();
   await page.locator("[data-select=method]").selectOption("greedy");
   await page.locator("[data-box=one-to-one]").uncheck();
   const document = await documentOf(page);

@@ -21,7 +21,9 @@ const SIZE = { width: 168, height: 120 };
  */
 export function showGallery(app) {
   const words = strings.gallery;
-  const pictures = presets.map(({ id }) => ({ id, element: h("img", { alt: "", loading: "lazy", ...SIZE }) }));
+  // As they lie on the screen, so that the keys go from one to the next.
+  const shown = TOPICS.flatMap((topic) => presets.filter((preset) => preset.topic === topic));
+  const pictures = shown.map(({ id }) => ({ id, element: h("img", { alt: "", loading: "lazy", ...SIZE }) }));
   const paint = () => {
     for (const { id, element } of pictures) element.src = thumbnail(id, app.ui.value.theme);
   };
@@ -41,12 +43,12 @@ export function showGallery(app) {
       ),
       h("span", { class: "preset-line" }, line),
     );
-  const entries = presets.map(entry);
+  const entries = shown.map(entry);
 
   /** @param {Topic} topic */
   const group = (topic) => {
     const heading = h("h3", { id: `gallery-${topic}` }, words.topics[topic]);
-    const own = entries.filter((_, index) => presets[index]?.topic === topic);
+    const own = entries.filter((_, index) => shown[index]?.topic === topic);
     return h(
       "section",
       { class: "preset-group", "aria-labelledby": heading.id },

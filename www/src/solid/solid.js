@@ -239,7 +239,10 @@ export function createSolid(app, { stage, aside, status }) {
     else if (!(event.key === "Escape" && view?.readMiddle(false))) return;
     event.preventDefault();
   }
-  picture.addEventListener("pointerdown", () => keyboard.classList.remove("keyed"));
+  view?.canvas.addEventListener("click", () => {
+    keyboard.focus({ preventScroll: true });
+    keyboard.classList.remove("keyed");
+  });
 
   const observer = new ResizeObserver(() => {
     resize();
@@ -387,6 +390,7 @@ export function createSolid(app, { stage, aside, status }) {
       runner.close();
       if (timer) keepNow();
       view?.close();
+      delete stage.dataset.solid;
     },
   };
 }

@@ -99,8 +99,8 @@ export function rowsOf(document) {
  * @param {Float32Array[]} rows the first and the last of which are curves
  */
 export function stagesAmong(document, rows) {
-  const every = Math.round((rows.length - 1) / segmentsOf(document));
-  return every < 1 ? [] : rows.slice(1, -1).filter((_, i) => (i + 1) % every === 0);
+  const every = rowsOf(document) / segmentsOf(document);
+  return rows.slice(1, -1).filter((_, i) => (i + 1) % every === 0);
 }
 
 /**

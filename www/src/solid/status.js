@@ -87,7 +87,7 @@ function remark(app, solid, cancel, retry) {
     return [h("span", { class: "failed reason" }, note.text), again];
   }
   if (note) return [label(note.text)];
-  const projection = /** @type {{deviation: number} | null} */ (solid?.projection ?? null);
+  const projection = solid?.projection ?? null;
   return [projection ? h("span", { class: "warning" }, words.status.projected(length(projection.deviation, app.store.document.unit))) : null];
 }
 

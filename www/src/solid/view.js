@@ -63,8 +63,6 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   let isCross = false;
   /** @type {Plane | null} */
   let upTo = null;
-  /** @type {[number, number] | null} */
-  let extent = null;
   let reading = /** @type {ReturnType<typeof readingAt>} */ (null);
   let cutKey = "";
   let frame = 0;
@@ -72,13 +70,15 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   /** The points that have to be seen. */
   const hull = () => (solid ? solid.curves.flatMap((points) => triples(points)) : []);
 
+  /** The plane of the section with its way, as the camera stands. */
+  const sectionNow = () => (solid && shown ? sectionPlane(shown.ui.section, solid.positions, axesOf(space.camera).back) : null);
+
   /** Cuts, marks and reading for the camera as it stands. */
   function overlay() {
     if (!solid || !shown) return;
     const { section, layers } = shown.ui;
     const { back } = axesOf(space.camera);
-    const found = sectionPlane(section, solid.positions, back);
-    extent = found?.extent ?? null;
+    const found = sectionNow();
     upTo = upToPlane(levelsOf(solid), shown.upTo);
     const key = JSON.stringify([section, section.axis === "view" ? back : null, shown.upTo, layers]);
     if (key !== cutKey) {
@@ -126,8 +126,8 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       reading = null;
       return;
     }
-    const { layers, section } = shown.ui;
-    const planes = [upTo, sectionPlane(section, solid.positions, axesOf(space.camera).back)?.plane ?? null].filter((each) => each !== null);
+    const { layers } = shown.ui;
+    const planes = [upTo, sectionNow()?.plane ?? null].filter((each) => each !== null);
     reading = readingAt(solid, rayAt(space.camera, space.frame, at), { planes, hasCaps: layers.includes("caps"), hasFace: body.hasFace(layers) });
   }
 
@@ -139,8 +139,14 @@ export function createSolidView(app, { plane, moved, oncontext }) {
   }
 
   const stopListening = listenToGestures(canvas, {
-    turn: (x, y) => put(dragged(space.camera, x, y)),
-    pan: (x, y) => put(panned(space.camera, space.frame, x, y)),
+    turn(x, y) {
+      put(dragged(space.camera, x, y));
+      space.drag();
+    },
+    pan(x, y) {
+      put(panned(space.camera, space.frame, x, y));
+      space.drag();
+    },
     zoom: (at, factor) => put(zoomed(space.camera, space.frame, at, factor, whole)),
     hover(at) {
       if (at && isCross) isCross = false;
@@ -153,7 +159,10 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       isCross = false;
       readSoon();
     },
-    rest: moved,
+    rest() {
+      space.rest();
+      moved();
+    },
   });
 
   /** @param {Pick<Camera, "azimuth" | "elevation">} [direction] */
@@ -196,9 +205,6 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       space.frame = frame;
       if (follows) fit();
       space.resize(frame);
-    },
-    get frame() {
-      return space.frame;
     },
     get camera() {
       return space.camera;
@@ -248,13 +254,11 @@ export function createSolidView(app, { plane, moved, oncontext }) {
       app.say(spokenReading(app, reading, shown?.ui.color ?? "material"));
     },
     get extent() {
-      return solid && shown ? (sectionPlane(shown.ui.section, solid.positions, axesOf(space.camera).back)?.extent ?? null) : extent;
+      return sectionNow()?.extent ?? null;
     },
     get hasFace() {
       return shown !== null && body.hasFace(shown.ui.layers);
     },
-    /** Where a point of the document is seen, in CSS pixels of the picture. @param {readonly number[]} point @returns {Point} */
-    seen: (point) => seenAt(space.camera, space.frame, point).at,
     request: () => space.request(),
     close() {
       cancelAnimationFrame(frame);

@@ -4,7 +4,6 @@
 const inSentence = (name) => (/^.\p{Ll}/u.test(name) ? `${name.charAt(0).toLowerCase()}${name.slice(1)}` : name);
 
 export const words = {
-  entered: "Solid",
   picture: (/** @type {string} */ title, /** @type {string} */ text) => `${title} in three dimensions: ${text}`,
   keyboard: "Solid",
   keyboardHelp:

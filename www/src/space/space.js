@@ -16,6 +16,10 @@ import { diagonalOf, middleOf, subtract } from "./vector.js";
 
 /** Device pixels for one of the screen at most: more are not seen in a moving picture. */
 const SHARPEST = 2;
+/** Milliseconds of a frame above which a drag is drawn with fewer pixels until it rests, slow frames before that, and its share of pixels each way. */
+const SLOW = 60;
+const PATIENCE = 2;
+const COARSE = 0.5;
 
 /** What a browser without WebGL 2 cannot do. */
 export class NoWebGl extends Error {
@@ -33,6 +37,10 @@ export class Space {
   #listeners = new AbortController();
   #frame = 0;
   #isLost = false;
+  #isDragged = false;
+  #slowFrames = 0;
+  /** Device pixels for one of the screen at rest. */
+  #fullRatio = 1;
   /** The box that has to lie between the planes that bound what is drawn. @type {{min: Vector, max: Vector}} */
   #bounds = { min: [-1, -1, -1], max: [1, 1, 1] };
 
@@ -65,9 +73,6 @@ export class Space {
     canvas.addEventListener("webglcontextrestored", () => lost(false), { signal });
   }
 
-  /** Milliseconds that the last picture took to be handed to the graphics card. */
-  spent = 0;
-
   /** @param {...Object3D} objects */
   add(...objects) {
     this.#scene.add(...objects);
@@ -96,6 +101,7 @@ export class Space {
    */
   resize(frame, pixelRatio = Math.min(SHARPEST, window.devicePixelRatio || 1)) {
     this.frame = frame;
+    this.#fullRatio = pixelRatio;
     this.#renderer.setPixelRatio(pixelRatio);
     this.#renderer.setSize(frame.size.width, frame.size.height, false);
     this.draw();
@@ -108,15 +114,43 @@ export class Space {
     }
   }
 
+  /** A drag goes on: until it rests, the picture may be coarser where it comes too slowly. */
+  drag() {
+    this.#isDragged = true;
+    this.request();
+  }
+
+  rest() {
+    this.#isDragged = false;
+    this.#slowFrames = 0;
+    if (this.pixelRatio === this.#fullRatio) return;
+    this.#renderer.setPixelRatio(this.#fullRatio);
+    this.draw();
+  }
+
+  /** Sees how long the screen takes for a picture. */
+  #time() {
+    const started = performance.now();
+    requestAnimationFrame((now) => {
+      if (!this.#isDragged || this.#isLost) return;
+      this.#slowFrames = now - started > SLOW ? this.#slowFrames + 1 : 0;
+      if (this.#slowFrames < PATIENCE || this.pixelRatio < this.#fullRatio) return;
+      // Another size empties the picture, so it is drawn at once.
+      this.#renderer.setPixelRatio(this.#fullRatio * COARSE);
+      this.draw();
+    });
+  }
+
   draw() {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     if (this.#isLost) return;
-    const started = performance.now();
+    if (this.#isDragged) this.#time();
     this.#place();
     this.ondraw();
+    // What is drawn may reach farther now.
+    this.#place();
     this.#renderer.render(this.#scene, this.#camera);
-    this.spent = performance.now() - started;
   }
 
   #place() {
