@@ -124,7 +124,7 @@ export function createApi(engine) {
         return whole(engine, "svg").svg(text, toText(options, "options"), describe(engine.match(text, false)));
       }),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
-    insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
+    insertPoint: (document, curve, u) => ask(() => whole(engine, "insertPoint").insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
     span: (document, span) => ask(() => spanOf(engine.defaults(toText(document)), span)),
     explain: (document, line) =>

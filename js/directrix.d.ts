@@ -651,6 +651,7 @@ export interface Directrix {
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   svg(document: DocumentInput, options: PictureOptions): string;
   fit(document: DocumentInput, options: PictureSize): View;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
   /** The document of two neighbours of a stack, curve `span` and the next, for functions that take two curves. */

@@ -29,6 +29,14 @@ const MARGIN = 12;
 const MARGIN_OF_HANDLES = 24;
 
 /**
+ * Whether an error says what is wrong with a document; what the module `figure` does not compute goes to `full`.
+ *
+ * @param {unknown} error
+ * @returns {error is DirectrixError}
+ */
+const isOfDocument = (error) => error instanceof DirectrixError && error.code !== "not-in-module";
+
+/**
  * @typedef {object} Host
  * @property {HTMLCanvasElement} canvas
  * @property {() => number} urgency see `Lane`
@@ -248,7 +256,7 @@ export class Scene {
       this.#fit();
       this.#news = "load";
     } catch (error) {
-      if (control.signal?.aborted || !(error instanceof DirectrixError)) throw error;
+      if (control.signal?.aborted || !isOfDocument(error)) throw error;
       this.#host.onproblem("document", error);
     }
     if (this.#incoming === incoming) this.#incoming = null;
@@ -262,9 +270,7 @@ export class Scene {
       this.#accept(document, match);
       if (isNew) this.#news ??= "edit";
     } catch (error) {
-      // The module `full` gets what `figure` does not compute.
-      const isOurs = error instanceof DirectrixError && error.code !== "not-in-module";
-      if (control.signal?.aborted || !isOurs) throw error;
+      if (control.signal?.aborted || !isOfDocument(error)) throw error;
       [this.#match, this.#matched, this.result] = [null, document, null];
       if (isNew) this.#host.onproblem("edit", error);
     }

@@ -56,7 +56,8 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
     })
 }
 
-fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
+/// Materials, two where the document names none.
+pub(super) fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
     let Some(list) = node.get("materials")? else { return Ok(two_materials()) };
     let items = list.items()?;
     list.check_count(items.len(), " materials", 1..=16)?;
@@ -76,9 +77,8 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     let items = list.items()?;
     list.check_count(items.len(), " curves", 0..=MOST_CURVES)?;
     if cfg!(not(feature = "stack")) && items.len() > 2 {
-        let message =
-            format!("{} curves were found; stacks of more than 2 need the module \"full\"", items.len());
-        return Err(list.error(Code::NotInModule, message));
+        let message = "stacks of more than 2 curves need the module \"full\"";
+        return Err(list.error(Code::NotInModule, message.to_owned()));
     }
     let mut curves = Vec::with_capacity(items.len());
     for (number, item) in items.iter().enumerate() {
@@ -163,7 +163,8 @@ fn composition(node: &Node<'_>) -> Read<Vec<CompositionKey>> {
     Ok(keys)
 }
 
-fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
+/// A list of finite numbers.
+pub(super) fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
     let items = node.items()?;
     let mut numbers = Vec::with_capacity(items.len());
     for item in items {

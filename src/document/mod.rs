@@ -11,6 +11,9 @@ mod diagnostic;
 mod direction;
 mod error;
 mod fields;
+#[cfg(feature = "hyperpatch")]
+mod hyperpatch;
+#[cfg(feature = "edit")]
 mod insert_point;
 mod iso_options;
 mod json;
@@ -42,6 +45,12 @@ pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
+#[cfg(feature = "hyperpatch")]
+pub use hyperpatch::{
+    CellSpec, CoefficientSpec, HyperpatchDocument, HyperpatchKind, HyperpatchModel, OperationSpec,
+    read_hyperpatch,
+};
+#[cfg(feature = "edit")]
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;

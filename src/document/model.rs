@@ -38,7 +38,7 @@ impl Model {
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
         #[cfg(feature = "solid")]
         let (document, projection) = projected(document)?;
-        let materials = materials(&document)?;
+        let materials = materials(&document.materials)?;
         let (mut curves, mut reversed, mut profiles) = (Vec::new(), Vec::new(), Vec::new());
         for (k, spec) in document.curves.iter().enumerate() {
             profiles.push(profile(&document, k)?);
@@ -80,6 +80,8 @@ impl Model {
 
     /// Reverses an open curve.
     pub(super) fn turn(&mut self, k: usize) {
+        // Of a pair alone the second one is turned.
+        let k = if cfg!(feature = "stack") { k } else { 1 };
         if let (Some(curve), Some(samples)) = (self.curves.get_mut(k), self.samples.get_mut(k)) {
             *samples = samples.reversed(curve);
             *curve = curve.reversed();
@@ -227,8 +229,11 @@ impl Model {
     #[must_use]
     pub fn fault(&self) -> Option<DocumentError> {
         let count = self.curves.len();
-        let meets = || (1..count).find_map(|j| (0..j).find_map(|i| self.contact(i, j)));
-        (0..count).find_map(|k| self.self_contact(k)).or_else(meets)
+        let itself = (0..count).find_map(|k| self.self_contact(k));
+        if cfg!(not(feature = "stack")) {
+            return itself.or_else(|| (count > 1).then(|| self.contact(0, 1)).flatten());
+        }
+        itself.or_else(|| (1..count).find_map(|j| (0..j).find_map(|i| self.contact(i, j))))
     }
 
     /// A place where a curve meets itself.
@@ -267,13 +272,14 @@ impl Model {
     }
 }
 
-fn materials(document: &CurvesDocument) -> Result<Vec<Material>, DocumentError> {
+/// The materials with their colours read.
+pub(super) fn materials(specs: &[super::MaterialSpec]) -> Result<Vec<Material>, DocumentError> {
     let build = |(k, spec): (usize, &super::MaterialSpec)| {
         let color = Color::parse(&spec.color)
             .map_err(|e| DocumentError::new(Code::Range, format!("materials[{k}].color"), e.to_string()))?;
         Ok(Material { name: spec.name.clone(), color, void: spec.void })
     };
-    document.materials.iter().enumerate().map(build).collect()
+    specs.iter().enumerate().map(build).collect()
 }
 
 /// Composition along a curve as drawn.

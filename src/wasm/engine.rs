@@ -111,13 +111,6 @@ impl Engine {
         to_value(&ViewResult::from(options.fit(&model)))
     }
 
-    /// The document with one more control point on a curve, which keeps its shape.
-    #[wasm_bindgen(js_name = insertPoint)]
-    pub fn insert_point(&self, text: &str, curve: usize, u: f64) -> Result<JsValue, JsValue> {
-        let document = read(text).and_then(|document| document::insert_point(document, curve, u));
-        to_value(&document.map_err(|e| to_js(&e))?)
-    }
-
     /// The document with all defaults spelt out.
     pub fn defaults(&self, text: &str) -> Result<JsValue, JsValue> {
         to_value(&read(text).map_err(|e| to_js(&e))?)
@@ -147,8 +140,10 @@ impl Engine {
     /// The solution of a document of at most two curves, for a function that takes no more.
     pub(super) fn solve_pair(&mut self, text: &str, name: &str) -> Result<Rc<Solution>, JsValue> {
         let solution = self.solve(text)?;
-        let count = solution.model.curves().len();
-        if count > 2 {
+        #[cfg(not(feature = "stack"))]
+        let _ = name;
+        #[cfg(feature = "stack")]
+        if let count @ 3.. = solution.model.curves().len() {
             let message =
                 format!("{count} curves were found; `{name}` takes 2, such as `span` gives of a stack");
             return Err(to_js(&DocumentError::new(Code::Range, "curves", message)));
@@ -189,7 +184,7 @@ impl Engine {
     }
 }
 
-fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
+pub(super) fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::check_length(text)?;
     document::read(&parse(text)?)
 }
