@@ -9,7 +9,8 @@
 import { DirectrixError } from "../errors.js";
 import { toText } from "../text.js";
 import { stepsOf } from "./growth.js";
-import { Lane } from "./kernel.js";
+import { isInSpace } from "./in-space.js";
+import { isWhole, Lane } from "./kernel.js";
 import { fitting, toScreen } from "./plane.js";
 import { summary } from "./result.js";
 
@@ -241,6 +242,7 @@ export class Scene {
     const incoming = this.#incoming;
     if (!incoming) return;
     const { text, document } = incoming;
+    if (isInSpace(document) && !isWhole()) throw new DirectrixError("not-in-module", "curves", "curves in space are read by the module \"full\"");
     try {
       const completed = await kernel.call("defaults", [text], { ...control });
       const match = await kernel.call("match", [text, {}], { ...control });
