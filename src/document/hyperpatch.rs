@@ -76,9 +76,14 @@ pub fn read_hyperpatch(document: &Json) -> Result<HyperpatchDocument, DocumentEr
     let root = Node::root(document, "");
     check_version(&root)?;
     let kind = root.need("kind")?;
-    if kind.choice(&["curves", "part", "hyperpatch"])? != 2 {
-        let message = "a document of another kind was found; expected the kind `hyperpatch`".to_owned();
-        return Err(kind.error(Code::Range, message));
+    match kind.choice(&["curves", "part", "hyperpatch"])? {
+        0 => {
+            return Err(
+                kind.error(Code::Kind, "`curves` was found; expected the kind `hyperpatch`".to_owned())
+            );
+        }
+        1 => return Err(kind.not_yet("documents of the kind `part`")),
+        _ => {}
     }
     root.only(&["directrix", "kind", "title", "unit", "materials", "operations"])?;
     let text = |name: &str, most: usize, default: &str| match root.get(name)? {
@@ -304,7 +309,7 @@ mod tests {
     fn wrong_documents_are_refused_with_the_path() {
         let first = "operations[0].cells[0].coefficients";
         expect(Code::Version, "directrix", |d| d["directrix"] = json!(2));
-        expect(Code::Range, "kind", |d| d["kind"] = json!("curves"));
+        expect(Code::Kind, "kind", |d| d["kind"] = json!("curves"));
         expect(Code::Missing, "operations", |d| {
             d.as_object_mut().unwrap().remove("operations");
         });

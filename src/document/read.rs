@@ -21,10 +21,11 @@ pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
     let root = Node::root(document, "");
     check_version(&root)?;
     let kind = root.need("kind")?;
-    if kind.choice(&["curves", "part", "hyperpatch"])? != 0 {
-        return Err(kind.not_yet("documents of kinds other than `curves`"));
+    match kind.choice(&["curves", "part", "hyperpatch"])? {
+        0 => curves_document(&root),
+        1 => Err(kind.not_yet("documents of the kind `part`")),
+        _ => Err(kind.error(Code::Kind, "`hyperpatch` was found; expected the kind `curves`".to_owned())),
     }
-    curves_document(&root)
 }
 
 /// Refuses a document of another version of the format.
@@ -182,7 +183,7 @@ mod tests {
     #[test]
     fn other_kinds_and_long_texts_are_refused() {
         expect(Code::NotYet, "kind", |d| d["kind"] = json!("part"));
-        expect(Code::NotYet, "kind", |d| d["kind"] = json!("hyperpatch"));
+        expect(Code::Kind, "kind", |d| d["kind"] = json!("hyperpatch"));
         expect(Code::Range, "kind", |d| d["kind"] = json!("mesh"));
         let error = read_text(&" ".repeat(LONGEST_TEXT + 1)).expect_err("refused");
         assert_eq!(error.code, Code::Limit);

@@ -22,6 +22,7 @@ mod tessellation;
 #[cfg(test)]
 mod test_cells;
 pub mod validity;
+mod vtk;
 
 pub use bernstein::{binomial, cubic, cubic_slope, elevate, flat, split};
 pub use cell::{Cell, CellError, LARGEST_COORDINATE, MOST_MATERIALS};
@@ -31,3 +32,4 @@ pub use net::{Differences, Net};
 pub use parts::{Axis, Corner, Edge, Face};
 pub use section::{Cut, FINEST_SECTION, Plane, Section, SectionError, Sectioning, section};
 pub use tessellation::{MOST_SEGMENTS, Patch, Surface, Tessellation, ToleranceError};
+pub use vtk::VtkJob;
