@@ -32,9 +32,11 @@ test("a move is spoken once, with the coordinates, by the polite region", async 
   await eventually(async () =>
     assert.equal((await spoken(page)).replaceAll("\u2212", "-"), `B1, x ${(x - 2).toFixed(2)}, y ${y.toFixed(2)}`),
   );
-  // What was done is spoken by one region, what came of it by another.
-  const regions = await page.locator("[aria-live]").evaluateAll((all) => all.map(({ id }) => id).sort());
-  assert.deepEqual(regions, ["outcome", "speech"]);
+  // What was done is spoken by one region, what came of it by another, which is fetched after the page.
+  await eventually(async () => {
+    const regions = await page.locator("[aria-live]").evaluateAll((all) => all.map(({ id }) => id).sort());
+    assert.deepEqual(regions, ["outcome", "speech"]);
+  });
   assert.equal(await page.locator("#speech").getAttribute("aria-live"), "polite");
 });
 
