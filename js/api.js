@@ -1,3 +1,4 @@
+import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
@@ -98,6 +99,18 @@ export function createApi(engine) {
     };
     return { step, run, end: () => (name === "solid" ? { solid: result() } : { file: result() }) };
   };
+  /**
+   * @param {string} text
+   * @param {import("./body.js").Question | "cells"} question
+   * @param {object} rest
+   */
+  const body = (text, question, rest) => {
+    const work = ask(() => asking(whole(engine, "hyperpatch"), text, question, rest));
+    return {
+      step: (/** @type {number} */ budget) => ask(() => work.step(budget)),
+      end: () => ({ answer: ask(() => work.answer()) }),
+    };
+  };
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
@@ -150,7 +163,25 @@ export function createApi(engine) {
     amounts: (document) => ask(() => whole(engine, "amounts").amounts(toText(document))),
     solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
     solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
-    job(document, { paint, solid, solidFile, coarse = paint?.coarse ?? false, greedy = false } = {}) {
+    hyperpatch(document) {
+      const text = ask(() => toText(document));
+      const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
+        const work = body(text, question, rest);
+        work.step(Infinity);
+        return work.end().answer;
+      };
+      return { cells: answer("cells", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
+    },
+    job(document, { paint, solid, solidFile, hyperpatch, coarse = paint?.coarse ?? false, greedy = false } = {}) {
+      if (hyperpatch) {
+        const work = body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {});
+        return {
+          step(budget) {
+            const progress = work.step(budget);
+            return progress < 1 ? { progress, done: false } : { progress, done: true, ...work.end() };
+          },
+        };
+      }
       const text = ask(() => (greedy ? greedyText(engine, document) : toText(document)));
       /** @type {(() => Work) | undefined} */
       let next;

@@ -20,4 +20,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "amounts",
   "solid",
   "solidFile",
+  "hyperpatch",
 ]);

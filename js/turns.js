@@ -13,7 +13,7 @@ const GREEDY = new Set(["steps", "sets"]);
 /** @typedef {{ name: import("./connect.js").Name, args: any[] }} Call */
 
 /**
- * Solves the document of a call in steps; a picture is painted, and a solid is built, in steps as well.
+ * Solves the document of a call in steps; a picture is painted, a solid is built, and questions about a body are answered in steps as well.
  *
  * @param {import("./directrix.js").Directrix} dx
  * @param {Call} call
@@ -40,6 +40,7 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
     await nextMessage();
     if (!isWanted()) return null;
   }
+  if ("answer" in state) return { value: state.answer, spent };
   return { value: state.picture ?? state.solid ?? state.file ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
 }
 
@@ -53,6 +54,7 @@ function goal(name, options) {
   if (name === "paint") return { paint: options };
   if (name === "solid") return { solid: options ?? {} };
   if (name === "solidFile") return { solidFile: options };
+  if (name === "hyperpatch") return { hyperpatch: options };
   return name === "match" ? options : { greedy: GREEDY.has(name) };
 }
 

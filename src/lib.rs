@@ -87,6 +87,33 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! A body of `hyperpatch::Cell`s has a shape and a material in its inside, both polynomials of the same parameters. What is certain
+//! about a cell is proven from its coefficients; its volume is their mean (with the feature `hyperpatch`):
+//!
+//! ```
+//! # #[cfg(feature = "hyperpatch")] {
+//! use directrix::hyperpatch::composite::{Body, Probe, Sharing};
+//! use directrix::hyperpatch::validity::{Verdict, certify};
+//! use directrix::hyperpatch::{Axis, Cell, Net, Plane, section};
+//! use directrix::material::Composition;
+//! use glam::DVec3;
+//!
+//! let net = Net::cuboid(DVec3::ZERO, DVec3::new(2.0, 1.0, 1.0));
+//! let [first, second] = Cell::uniform(net, &Composition::pure(0, 2))?.split(Axis::U, 0.25)?;
+//! assert_eq!(certify(first.net()).verdict, Verdict::Regular);
+//!
+//! let mut body = Body::new(2);
+//! body.add(first)?;
+//! body.add(Cell::uniform(second.net().clone(), &Composition::pure(1, 2))?)?;
+//! assert_eq!(Sharing::new(&body).shared_faces().len(), 1);
+//! assert!((body.amounts()[1] - 1.5).abs() < 1e-12);
+//! assert_eq!(Probe::new(&body).composition(DVec3::new(0.4, 0.5, 0.5)), Some(Composition::pure(0, 2)));
+//! let plane = Plane::new(DVec3::new(1.0, 1.0, 0.0), 1.0)?;
+//! assert!((section(&body, plane, 8)?.area() - 2.0_f64.sqrt()).abs() < 1e-12);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Conventions
 //! - Right-handed axes, y up, z the height of a curve's plane. Counter-clockwise means positive area. Angles in degrees.
 //! - Normals point to the right of the direction of travel: outwards on a counter-clockwise curve.
@@ -102,6 +129,8 @@ pub mod material;
 pub mod curve;
 #[cfg(feature = "curves")]
 pub mod document;
+#[cfg(feature = "hyperpatch")]
+pub mod hyperpatch;
 #[cfg(feature = "import")]
 pub mod import;
 #[cfg(feature = "curves")]

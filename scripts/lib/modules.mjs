@@ -20,7 +20,7 @@ import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
 
 /** @type {Module[]} */
 export const modules = [
-  { name: "figure", file: "directrix", features: "curves,hyperpatch" },
+  { name: "figure", file: "directrix", features: "curves" },
   { name: "full", file: "directrix_full", features: "curves,hyperpatch,part,import,explain,paths,stack,amounts,solid,svg" },
 ];
 

@@ -20,6 +20,8 @@ pub enum Code {
     NonFinite,
     /// A version of the format that this release does not read.
     Version,
+    /// A document of a kind that the function does not answer for.
+    Kind,
     /// A value of the format that this release does not compute yet.
     NotYet,
     /// A document that only the module `full` computes.
@@ -50,6 +52,7 @@ impl Code {
         Self::Range,
         Self::NonFinite,
         Self::Version,
+        Self::Kind,
         Self::NotYet,
         Self::NotInModule,
         Self::Limit,
@@ -72,6 +75,7 @@ impl Code {
             Self::Range => "range",
             Self::NonFinite => "non-finite",
             Self::Version => "version",
+            Self::Kind => "kind",
             Self::NotYet => "not-yet",
             Self::NotInModule => "not-in-module",
             Self::Limit => "limit",

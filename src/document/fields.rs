@@ -56,7 +56,8 @@ pub(super) fn curves_document(node: &Node<'_>) -> Read<CurvesDocument> {
     })
 }
 
-fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
+/// Materials, two where the document names none.
+pub(super) fn materials(node: &Node<'_>) -> Read<Vec<MaterialSpec>> {
     let Some(list) = node.get("materials")? else { return Ok(two_materials()) };
     let items = list.items()?;
     list.check_count(items.len(), " materials", 1..=16)?;
@@ -163,7 +164,8 @@ fn composition(node: &Node<'_>) -> Read<Vec<CompositionKey>> {
     Ok(keys)
 }
 
-fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
+/// A list of finite numbers.
+pub(super) fn numbers(node: &Node<'_>) -> Read<Vec<f64>> {
     let items = node.items()?;
     let mut numbers = Vec::with_capacity(items.len());
     for item in items {

@@ -7,10 +7,14 @@
 #[cfg(feature = "amounts")]
 mod amounts;
 mod control_points;
+#[cfg(feature = "hyperpatch")]
+mod body;
 mod diagnostic;
 mod direction;
 mod error;
 mod fields;
+#[cfg(feature = "hyperpatch")]
+mod hyperpatch;
 mod insert_point;
 mod iso_options;
 mod json;
@@ -39,9 +43,19 @@ mod work;
 #[cfg(feature = "amounts")]
 pub use amounts::{BandAmounts, amounts};
 pub use control_points::ControlPoints;
+#[cfg(feature = "hyperpatch")]
+pub use body::{
+    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, Held, KnownBody, Painted, Parts, Sample, SharedParts,
+    Stretch, Summary,
+};
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
+#[cfg(feature = "hyperpatch")]
+pub use hyperpatch::{
+    CellSpec, CoefficientSpec, HyperpatchDocument, HyperpatchKind, HyperpatchModel, OperationSpec,
+    read_hyperpatch,
+};
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;

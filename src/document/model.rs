@@ -38,7 +38,7 @@ impl Model {
     pub fn new(document: CurvesDocument) -> Result<Self, DocumentError> {
         #[cfg(feature = "solid")]
         let (document, projection) = projected(document)?;
-        let materials = materials(&document)?;
+        let materials = materials(&document.materials)?;
         let (mut curves, mut reversed, mut profiles) = (Vec::new(), Vec::new(), Vec::new());
         for (k, spec) in document.curves.iter().enumerate() {
             profiles.push(profile(&document, k)?);
@@ -267,13 +267,14 @@ impl Model {
     }
 }
 
-fn materials(document: &CurvesDocument) -> Result<Vec<Material>, DocumentError> {
+/// The materials with their colours read.
+pub(super) fn materials(specs: &[super::MaterialSpec]) -> Result<Vec<Material>, DocumentError> {
     let build = |(k, spec): (usize, &super::MaterialSpec)| {
         let color = Color::parse(&spec.color)
             .map_err(|e| DocumentError::new(Code::Range, format!("materials[{k}].color"), e.to_string()))?;
         Ok(Material { name: spec.name.clone(), color, void: spec.void })
     };
-    document.materials.iter().enumerate().map(build).collect()
+    specs.iter().enumerate().map(build).collect()
 }
 
 /// Composition along a curve as drawn.

@@ -19,17 +19,24 @@ const VERSION: f64 = 1.0;
 /// [`Model::new`](super::Model::new).
 pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
     let root = Node::root(document, "");
+    check_version(&root)?;
+    let kind = root.need("kind")?;
+    match kind.choice(&["curves", "part", "hyperpatch"])? {
+        0 => curves_document(&root),
+        1 => Err(kind.not_yet("documents of the kind `part`")),
+        _ => Err(kind.error(Code::Kind, "`hyperpatch` was found; expected the kind `curves`".to_owned())),
+    }
+}
+
+/// Refuses a document of another version of the format.
+pub(super) fn check_version(root: &Node<'_>) -> Result<(), DocumentError> {
     let version = root.need("directrix")?;
     let number = version.number()?;
-    if number != VERSION {
-        let message = format!("version {} was found; this release reads version {VERSION}", Full(number));
-        return Err(version.error(Code::Version, message));
+    if number == VERSION {
+        return Ok(());
     }
-    let kind = root.need("kind")?;
-    if kind.choice(&["curves", "part", "hyperpatch"])? != 0 {
-        return Err(kind.not_yet("documents of kinds other than `curves`"));
-    }
-    curves_document(&root)
+    let message = format!("version {} was found; this release reads version {VERSION}", Full(number));
+    Err(version.error(Code::Version, message))
 }
 
 /// Refuses text that is too long to be a document.

@@ -100,6 +100,46 @@ impl Composition {
         Self((0..count).map(|i| if i == index { 1.0 } else { 0.0 }).collect())
     }
 
+    /// The composition of fractions that are one already up to rounding errors, such as a mean of compositions.
+    #[cfg(feature = "hyperpatch")]
+    pub(crate) fn rounded(mut fractions: Vec<f64>) -> Self {
+        fractions.iter_mut().for_each(|fraction| *fraction = fraction.max(0.0));
+        let sum: f64 = fractions.iter().sum();
+        fractions.iter_mut().for_each(|fraction| *fraction /= sum);
+        Self(fractions)
+    }
+
+    /// The composition that is nearest to any finite numbers: their projection onto the simplex.
+    ///
+    /// It serves to take what a person typed or dragged; it does not keep the slope of a gradient.
+    ///
+    /// # Errors
+    /// An empty list, or a number that is not finite.
+    ///
+    /// # References
+    /// M. Held, P. Wolfe and H. Crowder, "Validation of subgradient optimization", *Mathematical Programming* 6 (1974).
+    pub fn nearest(numbers: &[f64]) -> Result<Self, CompositionError> {
+        if let Some(index) = numbers.iter().position(|number| !number.is_finite()) {
+            return Err(CompositionError::NotFinite { index, value: numbers[index] });
+        }
+        let mut sorted = numbers.to_vec();
+        sorted.sort_unstable_by(|a, b| b.total_cmp(a));
+        let largest = *sorted.first().ok_or(CompositionError::Empty)?;
+        // Measured from the largest number, so that huge ones do not swallow the 1.
+        let (mut sum, mut level) = (0.0, 0.0);
+        for (k, number) in sorted.iter().enumerate() {
+            sum += number - largest;
+            let candidate = (sum - 1.0) / (k + 1) as f64;
+            if number - largest <= candidate {
+                break;
+            }
+            level = candidate;
+        }
+        let fractions: Vec<f64> = numbers.iter().map(|number| (number - largest - level).max(0.0)).collect();
+        let sum: f64 = fractions.iter().sum();
+        Ok(Self(fractions.into_iter().map(|fraction| fraction / sum).collect()))
+    }
+
     /// The fractions, one for each material.
     #[must_use]
     pub fn fractions(&self) -> &[f64] {
@@ -143,6 +183,34 @@ mod tests {
             Err(CompositionError::NotFinite { index: 1, .. })
         ));
         assert!(CompositionError::Sum { sum: 0.9 }.to_string().contains("expected 1"));
+    }
+
+    #[test]
+    fn the_nearest_composition_is_nearer_than_any_other() {
+        for numbers in [
+            &[0.5, 0.5, 0.5][..],
+            &[-0.1, 1.1, 0.3],
+            &[2.0, -3.0, 1.9],
+            &[0.2, 0.3, 0.5],
+            &[1e300, -1e300, 0.0],
+        ] {
+            let nearest = Composition::nearest(numbers).unwrap();
+            assert!(Composition::new(nearest.fractions().to_vec()).is_ok(), "{nearest:?}");
+            let distance = |mix: &[f64]| mix.iter().zip(numbers).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+            for (i, j) in [(20, 0), (3, 5), (0, 20), (7, 7), (0, 0), (10, 3)] {
+                let other = [f64::from(i) / 20.0, f64::from(j) / 20.0, f64::from(20 - i - j) / 20.0];
+                assert!(
+                    distance(nearest.fractions()) <= distance(&other) + 1e-12,
+                    "{numbers:?}: {nearest:?}"
+                );
+            }
+        }
+        assert_eq!(Composition::nearest(&[-0.1, 1.1]).unwrap().fractions(), [0.0, 1.0]);
+        assert_eq!(Composition::nearest(&[]), Err(CompositionError::Empty));
+        assert!(matches!(
+            Composition::nearest(&[0.0, f64::NAN]),
+            Err(CompositionError::NotFinite { index: 1, .. })
+        ));
     }
 
     #[test]

@@ -14,6 +14,8 @@ mod plane;
 mod ply;
 mod row;
 mod shell;
+#[cfg(feature = "hyperpatch")]
+mod skin;
 mod stl;
 mod ties;
 
@@ -26,3 +28,5 @@ pub use mesh::{Group, Mesh, Part};
 pub use plane::{Axes, best_axes, mean as mean_point};
 pub use row::Row;
 pub use shell::{Shell, Shelled};
+#[cfg(feature = "hyperpatch")]
+pub use skin::Skin;

@@ -21,6 +21,8 @@ pub struct Engine {
     solved: Memory,
     /// The document being solved, and whether coarsely.
     job: Option<(String, bool, Solve)>,
+    #[cfg(feature = "hyperpatch")]
+    pub(super) bodies: crate::document::BodyMemory,
 }
 
 #[wasm_bindgen]

@@ -9,6 +9,8 @@ mod engine;
 mod error;
 #[cfg(feature = "explain")]
 mod explain;
+#[cfg(feature = "hyperpatch")]
+mod hyperpatch;
 #[cfg(feature = "import")]
 mod import;
 mod json;

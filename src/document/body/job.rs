@@ -1,0 +1,316 @@
+//! The job that answers a question about a body.
+
+use super::known::Judged;
+use super::paint::Painter;
+use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
+use crate::hyperpatch::composite::{CellId, Pairs, Probe, Sharing, Verdicts};
+use crate::hyperpatch::validity::Report;
+use crate::hyperpatch::{Grid, Jacobian, Sectioning, Tessellation, VtkJob};
+use crate::material::{Color, mix_fractions};
+use crate::solid::{FileJob, Labels, Mesh, Skin};
+use std::rc::Rc;
+
+/// Chord tolerance over the size of the body where none is asked for.
+const TOLERANCE: f64 = 1e-3;
+
+/// Colours that are found between two looks at the clock.
+const BATCH: usize = 4096;
+
+/// The job that answers a question about a body in steps. What it finds out on the way is kept with the body.
+#[derive(Debug)]
+pub struct BodyJob {
+    known: Rc<KnownBody>,
+    ask: BodyAsk,
+    work: Work,
+}
+
+#[derive(Debug)]
+enum Work {
+    /// It is to be decided what comes next.
+    Planning,
+    Judging(Box<Verdicts>, bool),
+    Joining(Box<Sharing>, usize),
+    Pairing(Box<Pairs>),
+    Listing(Vec<CellRow>),
+    Integrating(usize, f64, Vec<f64>),
+    Cutting(Box<Sectioning<Held>>),
+    Meshing(Box<Tessellation<Held, Rc<Sharing>>>),
+    Painting(Box<Painter>, f64),
+    Skinning(Box<Skin<Held>>),
+    Coloring(Box<Mesh>, Vec<Color>),
+    Writing(Box<FileJob>),
+    Gridding(Box<VtkJob<Held>>),
+    Done(Option<Answer>),
+}
+
+impl BodyJob {
+    /// The job for a question that was read for this body.
+    #[must_use]
+    pub fn new(known: Rc<KnownBody>, ask: BodyAsk) -> Self {
+        Self { known, ask, work: Work::Planning }
+    }
+
+    /// Advances while `may_go_on` says so, at least by a little; returns the answer, and nothing more ever after.
+    pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Option<Answer> {
+        loop {
+            let work = std::mem::replace(&mut self.work, Work::Planning);
+            self.work = self.advance(work, may_go_on);
+            if let Work::Done(answer) = &mut self.work {
+                return answer.take();
+            }
+            if !may_go_on() {
+                return None;
+            }
+        }
+    }
+
+    /// Runs the job to its end.
+    #[must_use]
+    pub fn run(mut self) -> Option<Answer> {
+        self.step(&mut || true)
+    }
+
+    /// Share of the present part of the work that is done, below 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        let cells = self.known.model().body().cells().len().max(1) as f64;
+        let share = match &self.work {
+            Work::Planning => 0.0,
+            Work::Judging(job, _) => job.progress(),
+            Work::Joining(_, count) | Work::Integrating(count, ..) => *count as f64 / cells,
+            Work::Pairing(job) => job.progress(),
+            Work::Listing(rows) => rows.len() as f64 / cells,
+            Work::Cutting(_) | Work::Meshing(_) => 0.3,
+            Work::Painting(job, _) => 0.5 + 0.4 * job.progress(),
+            Work::Skinning(_) | Work::Coloring(..) => 0.4,
+            Work::Writing(job) => 0.5 + 0.5 * job.progress(),
+            Work::Gridding(job) => job.progress(),
+            Work::Done(_) => 1.0,
+        };
+        share.min(0.99)
+    }
+
+    fn advance(&self, work: Work, may_go_on: &mut dyn FnMut() -> bool) -> Work {
+        let body = self.known.model().body();
+        match work {
+            Work::Planning => self.plan(),
+            Work::Judging(mut job, is_global) => {
+                if !job.step(may_go_on) {
+                    return Work::Judging(job, is_global);
+                }
+                let mut judged = self.known.judged.borrow_mut();
+                for (id, report) in job.reports() {
+                    if let Some(cell) = body.cell(*id) {
+                        let is_final = is_global || !report.is_open();
+                        judged.insert(*id, Judged { net: cell.net().clone(), report: *report, is_final });
+                    }
+                }
+                Work::Planning
+            }
+            Work::Joining(mut sharing, mut next) => {
+                while let Some((id, cell)) = body.cells().get(next) {
+                    sharing.add(*id, cell.net());
+                    next += 1;
+                    if !may_go_on() {
+                        return Work::Joining(sharing, next);
+                    }
+                }
+                let _ = self.known.sharing.set(Rc::new(*sharing));
+                Work::Planning
+            }
+            Work::Pairing(mut job) => {
+                if !job.step(may_go_on) {
+                    return Work::Pairing(job);
+                }
+                let _ = self.known.relations.set(job.found().to_vec());
+                Work::Planning
+            }
+            Work::Listing(mut rows) => {
+                let reports = self.reports();
+                while let Some((cell, made)) = body.cells().get(rows.len()) {
+                    let volume = Jacobian::new(made.net()).volume();
+                    let margin = reports.get(rows.len()).map_or(-1.0, |(_, report)| report.margin);
+                    rows.push(CellRow { cell: *cell, corners: made.net().corners(), margin, volume });
+                    if !may_go_on() {
+                        return Work::Listing(rows);
+                    }
+                }
+                Work::Done(Some(Answer::Cells(rows)))
+            }
+            Work::Integrating(mut next, mut volume, mut amounts) => {
+                while let Some((_, cell)) = body.cells().get(next) {
+                    let shares = cell.amounts();
+                    volume += shares.iter().sum::<f64>();
+                    amounts.iter_mut().zip(shares).for_each(|(sum, share)| *sum += share);
+                    next += 1;
+                    if !may_go_on() {
+                        return Work::Integrating(next, volume, amounts);
+                    }
+                }
+                Work::Done(Some(Answer::Amounts { volume, amounts }))
+            }
+            Work::Cutting(mut job) => match job.step(may_go_on) {
+                None => Work::Cutting(job),
+                Some(section) => {
+                    let area = section.area();
+                    Work::Painting(Box::new(Painter::of_section(&self.known, section)), area)
+                }
+            },
+            Work::Meshing(mut job) => match (job.step(may_go_on), self.known.sharing.get()) {
+                (Some(surface), _) if matches!(self.ask, BodyAsk::File { .. }) => {
+                    Work::Skinning(Box::new(Skin::new(self.known.held(), surface)))
+                }
+                (Some(surface), Some(sharing)) => {
+                    let painter = Painter::of_surface(&self.known, surface, Rc::clone(sharing));
+                    Work::Painting(Box::new(painter), 0.0)
+                }
+                _ => Work::Meshing(job),
+            },
+            Work::Painting(mut job, area) => match job.step(&self.known, may_go_on) {
+                None => Work::Painting(job, area),
+                Some((painted, boundary)) => match self.ask {
+                    BodyAsk::Section { .. } => Work::Done(Some(Answer::Section(Box::new(painted), area))),
+                    _ => Work::Done(Some(Answer::Surface(Box::new(painted), boundary))),
+                },
+            },
+            Work::Skinning(mut job) => match job.step(may_go_on) {
+                None => Work::Skinning(job),
+                Some(mesh) => Work::Coloring(Box::new(mesh), Vec::new()),
+            },
+            Work::Coloring(mesh, mut colors) => {
+                while colors.len() < mesh.positions.len() {
+                    let end = mesh.positions.len().min(colors.len() + BATCH);
+                    let color = |vertex: usize| {
+                        mix_fractions(self.known.colors(), mesh.fractions_at(vertex)).to_color()
+                    };
+                    colors.extend((colors.len()..end).map(color));
+                    if !may_go_on() {
+                        return Work::Coloring(mesh, colors);
+                    }
+                }
+                match self.ask {
+                    BodyAsk::File { format: BodyFormat::Surface(format), .. } => {
+                        Work::Writing(Box::new(FileJob::new(format, *mesh, colors, &self.labels())))
+                    }
+                    _ => Work::Done(None),
+                }
+            }
+            Work::Writing(mut job) => match job.step(may_go_on) {
+                None => Work::Writing(job),
+                Some(bytes) => Work::Done(Some(Answer::File(bytes))),
+            },
+            Work::Gridding(mut job) => match job.step(may_go_on) {
+                None => Work::Gridding(job),
+                Some(bytes) => Work::Done(Some(Answer::File(bytes))),
+            },
+            Work::Done(_) => Work::Done(None),
+        }
+    }
+
+    /// The next part of the work: what the answer rests on first.
+    fn plan(&self) -> Work {
+        let (known, ask) = (&self.known, self.ask);
+        let body = known.model().body();
+        if let Some(is_global) = self.is_judged_globally() {
+            let judged = known.judged.borrow();
+            let is_known = |id: &CellId| judged.get(id).is_some_and(|found| found.is_final || !is_global);
+            let open: Vec<CellId> =
+                body.cells().iter().map(|(id, _)| *id).filter(|id| !is_known(id)).collect();
+            if !open.is_empty() {
+                return Work::Judging(Box::new(Verdicts::new(body, open, is_global)), is_global);
+            }
+        }
+        let is_summary = matches!(ask, BodyAsk::Summary);
+        let is_joined = matches!(
+            ask,
+            BodyAsk::Surface { .. }
+                | BodyAsk::File { format: BodyFormat::Surface(_), .. }
+                | BodyAsk::Continuity
+                | BodyAsk::Sharing
+        );
+        if (is_joined || is_summary) && known.sharing.get().is_none() {
+            return Work::Joining(Box::new(Sharing::start(body)), 0);
+        }
+        if (matches!(ask, BodyAsk::Relations) || is_summary) && known.relations.get().is_none() {
+            return Work::Pairing(Box::new(Pairs::new(body)));
+        }
+        match ask {
+            BodyAsk::Cells => Work::Listing(Vec::with_capacity(body.cells().len())),
+            BodyAsk::Amounts => Work::Integrating(0, 0.0, vec![0.0; body.materials()]),
+            BodyAsk::Section { plane, steps } => match Sectioning::new(known.held(), plane, steps) {
+                Ok(job) => Work::Cutting(Box::new(job)),
+                Err(_) => Work::Done(None),
+            },
+            BodyAsk::Surface { tolerance } | BodyAsk::File { format: BodyFormat::Surface(_), tolerance } => {
+                self.meshing(tolerance.unwrap_or(TOLERANCE * known.size()))
+            }
+            BodyAsk::File { format: BodyFormat::Vtk, .. } => {
+                Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
+            }
+            _ => Work::Done(self.answer()),
+        }
+    }
+
+    /// Whether the question rests on verdicts, and on all checks.
+    fn is_judged_globally(&self) -> Option<bool> {
+        match self.ask {
+            BodyAsk::Cells => Some(false),
+            BodyAsk::Verdicts { is_global } => Some(is_global),
+            BodyAsk::Summary => Some(true),
+            _ => None,
+        }
+    }
+
+    fn meshing(&self, tolerance: f64) -> Work {
+        let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
+        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), sharing.outer_faces(), tolerance);
+        job.map_or(Work::Done(None), |job| Work::Meshing(Box::new(job)))
+    }
+
+    /// The answer to a question that needs no steps of its own.
+    fn answer(&self) -> Option<Answer> {
+        let known = &self.known;
+        let body = known.model().body();
+        Some(match self.ask {
+            BodyAsk::Sample { cell, at } => Answer::Sample(Sample::new(body, cell, at)?),
+            BodyAsk::Verdicts { .. } => Answer::Verdicts(self.reports()),
+            BodyAsk::Summary => {
+                let (sharing, relations) = known.sharing.get().zip(known.relations.get())?;
+                Answer::Summary(Box::new(Summary::new(body, sharing, &self.reports(), relations)))
+            }
+            BodyAsk::Probe(point) => {
+                let probe = known.probe.get_or_init(|| Probe::new(known.held()));
+                Answer::Probe(probe.place(point).and_then(|place| Sample::new(body, place.cell, place.at)))
+            }
+            BodyAsk::Relations => Answer::Relations(known.relations.get()?.clone()),
+            BodyAsk::Continuity => {
+                let sharing = known.sharing.get()?;
+                Answer::Continuity(sharing.continuity(body), sharing.contacts(body))
+            }
+            BodyAsk::Sharing => Answer::Sharing(Box::new(Parts::new(body, known.sharing.get()?))),
+            BodyAsk::Grid { cell, counts } => {
+                let mut grid = Grid::new(counts).ok()?;
+                grid.evaluate(body.cell(cell)?);
+                Answer::Grid(grid.components().to_vec())
+            }
+            _ => return None,
+        })
+    }
+
+    /// What is known of the cells, in their order.
+    fn reports(&self) -> Vec<(CellId, Report)> {
+        let judged = self.known.judged.borrow();
+        let cells = self.known.model().body().cells().iter();
+        cells.filter_map(|(id, _)| judged.get(id).map(|found| (*id, found.report))).collect()
+    }
+
+    fn labels(&self) -> Labels {
+        let model = self.known.model();
+        let document = model.document();
+        Labels {
+            title: document.title.clone(),
+            unit: document.unit.clone(),
+            materials: model.materials().iter().map(|material| material.name.clone()).collect(),
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Bodies that are remembered by the text of their documents.
+
+use super::super::HyperpatchModel;
+use crate::hyperpatch::Net;
+use crate::hyperpatch::composite::{Body, CellId, Probe, Relation, Sharing};
+use crate::hyperpatch::validity::Report;
+use crate::material::{Material, Oklab};
+use glam::DVec3;
+use std::cell::{OnceCell, RefCell};
+use std::collections::{HashMap, VecDeque};
+use std::ops::Deref;
+use std::rc::Rc;
+
+/// Bodies that are kept.
+const KEPT: usize = 4;
+
+/// Shared ownership of a body.
+#[derive(Debug, Clone)]
+pub struct Held(Rc<HyperpatchModel>);
+
+impl Deref for Held {
+    type Target = Body;
+
+    fn deref(&self) -> &Body {
+        self.0.body()
+    }
+}
+
+/// A verdict with the shape that it is about, so that it is never taken for another one.
+#[derive(Debug, Clone)]
+pub(super) struct Judged {
+    pub(super) net: Net,
+    pub(super) report: Report,
+    /// Whether every check ran to its end.
+    pub(super) is_final: bool,
+}
+
+/// A hyperpatch document with its body made, and what was found about it so far.
+#[derive(Debug)]
+pub struct KnownBody {
+    model: Rc<HyperpatchModel>,
+    colors: Vec<Oklab>,
+    size: f64,
+    pub(super) sharing: OnceCell<Rc<Sharing>>,
+    pub(super) probe: OnceCell<Probe<Held>>,
+    pub(super) relations: OnceCell<Vec<([CellId; 2], Relation)>>,
+    pub(super) judged: RefCell<HashMap<CellId, Judged>>,
+}
+
+impl KnownBody {
+    /// A document about which nothing was asked yet. Verdicts on cells that `before` has with the same shape are taken over.
+    #[must_use]
+    pub fn new(model: HyperpatchModel, before: Option<&Self>) -> Self {
+        let colors = model.materials().iter().map(|Material { color, .. }| color.to_oklab()).collect();
+        let is_same = |(id, judged): &(&CellId, &Judged)| {
+            model.body().cell(**id).is_some_and(|cell| *cell.net() == judged.net)
+        };
+        let judged = before.map_or_else(HashMap::new, |before| {
+            let old = before.judged.borrow();
+            old.iter().filter(is_same).map(|(id, judged)| (*id, judged.clone())).collect()
+        });
+        let bounds = model.body().cells().iter().map(|(_, cell)| cell.net().bounds());
+        let (lo, hi) =
+            bounds.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
+        let size = Some(lo.distance(hi)).filter(|size| size.is_finite() && *size > 0.0).unwrap_or(1.0);
+        Self {
+            model: Rc::new(model),
+            colors,
+            size,
+            sharing: OnceCell::new(),
+            probe: OnceCell::new(),
+            relations: OnceCell::new(),
+            judged: RefCell::new(judged),
+        }
+    }
+
+    /// The document with its body.
+    #[must_use]
+    pub fn model(&self) -> &HyperpatchModel {
+        &self.model
+    }
+
+    /// The body, owned together with others.
+    #[must_use]
+    pub fn held(&self) -> Held {
+        Held(Rc::clone(&self.model))
+    }
+
+    /// Colours of the materials.
+    #[must_use]
+    pub fn colors(&self) -> &[Oklab] {
+        &self.colors
+    }
+
+    /// Length of the diagonal of the box of all control points; never zero.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+}
+
+/// The bodies that were used last; all but 4 are forgotten.
+#[derive(Debug, Default)]
+pub struct BodyMemory {
+    /// The one used last comes first.
+    bodies: VecDeque<(String, Rc<KnownBody>)>,
+}
+
+impl BodyMemory {
+    /// The body of a document if it is known.
+    #[must_use]
+    pub fn find(&mut self, text: &str) -> Option<Rc<KnownBody>> {
+        let found = self.bodies.iter().position(|(known, _)| known == text)?;
+        let entry = self.bodies.remove(found)?;
+        let body = Rc::clone(&entry.1);
+        self.bodies.push_front(entry);
+        Some(body)
+    }
+
+    /// Remembers a body.
+    pub fn keep(&mut self, text: &str, model: HyperpatchModel) -> Rc<KnownBody> {
+        let body = Rc::new(KnownBody::new(model, self.bodies.front().map(|(_, body)| body.as_ref())));
+        self.bodies.push_front((text.to_owned(), Rc::clone(&body)));
+        self.bodies.truncate(KEPT);
+        body
+    }
+}

@@ -1,0 +1,18 @@
+//! Questions about hyperpatch documents, and the jobs that answer them.
+//!
+//! [`KnownBody`] is a document with its body made and with what was found about it; [`BodyMemory`] remembers the last ones.
+//! [`BodyAsk`] is a question, [`BodyJob`] answers it in steps with an [`Answer`].
+
+mod answer;
+mod ask;
+mod job;
+mod known;
+mod paint;
+mod summary;
+
+pub use answer::{Answer, CellRow, Parts, Sample, SharedParts};
+pub use ask::{BodyAsk, BodyFormat};
+pub use job::BodyJob;
+pub use known::{BodyMemory, Held, KnownBody};
+pub use paint::{Boundary, Painted, Stretch};
+pub use summary::Summary;
