@@ -44,7 +44,7 @@ pub enum Code {
 
 impl Code {
     /// Every code, in the order of `docs/api.md`.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Syntax,
         Self::Missing,
         Self::UnknownField,
