@@ -82,14 +82,6 @@ impl Composition {
         Ok(Self(fractions.into_iter().map(|f| f / sum).collect()))
     }
 
-    /// The composition next to fractions that rounding may have brought a little below 0 or off the sum 1.
-    #[cfg(feature = "stack")]
-    pub(crate) fn nearest(mut fractions: Vec<f64>) -> Self {
-        fractions.iter_mut().for_each(|fraction| *fraction = fraction.max(0.0));
-        let sum: f64 = fractions.iter().sum();
-        Self(fractions.into_iter().map(|fraction| fraction / sum).collect())
-    }
-
     /// All of one material out of `count`.
     ///
     /// # Panics
@@ -101,7 +93,7 @@ impl Composition {
     }
 
     /// The composition of fractions that are one already up to rounding errors, such as a mean of compositions.
-    #[cfg(feature = "hyperpatch")]
+    #[cfg(any(feature = "hyperpatch", feature = "stack"))]
     pub(crate) fn rounded(mut fractions: Vec<f64>) -> Self {
         fractions.iter_mut().for_each(|fraction| *fraction = fraction.max(0.0));
         let sum: f64 = fractions.iter().sum();

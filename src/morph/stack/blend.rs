@@ -257,7 +257,7 @@ impl StackBlend {
             let (from, to) = (from.fractions()[k], to.fractions()[k]);
             a * from + b * (from + step * leaving[k]) + c * (to - step * arriving[k]) + d * to
         };
-        Composition::nearest((0..from.fractions().len()).map(fraction).collect())
+        Composition::rounded((0..from.fractions().len()).map(fraction).collect())
     }
 }
 
