@@ -11,6 +11,9 @@ import { DirectrixError } from "../../js/index.js";
  * @param {unknown} raw
  */
 export async function completed(kernel, raw) {
+  if (typeof raw === "object" && raw && "kind" in raw && raw.kind === "hyperpatch") {
+    return (await import("./hyperpatch/document.js")).completedBody(kernel, /** @type {any} */ (raw));
+  }
   const checked = /** @type {CurvesDocument} */ (raw);
   const document = /** @type {CurvesDocument} */ (await kernel.defaults(checked));
   if (document.curves.some(({ points: [point] }) => point?.length > 2)) {

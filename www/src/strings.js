@@ -176,6 +176,7 @@ export const strings = {
   bar: {
     workbenches: "Workbenches",
     curves: "Curves",
+    bodies: "Hyperpatch",
     lessons: "Lessons",
     title: "Document title",
     edited: "Edited",

@@ -5,17 +5,21 @@
  * @import { App } from "../state/app.js"
  */
 import "../../styles/access.css";
+import { isBody } from "../hyperpatch/kind.js";
 import { createModes } from "../modes/modes.js";
 import { whenAtRest } from "../offline/rest.js";
 import { createOutcome } from "./outcome.js";
 
 /** @param {App} app */
 export function createAfter(app) {
-  const parts = [createModes(app), createOutcome(app)];
+  const modes = createModes(app);
+  const outcome = createOutcome(app);
   whenAtRest(async () => (await import("../offline/offline.js")).startOffline(app));
   return {
     render() {
-      for (const part of parts) part.render();
+      // A mode that is left because a body was opened still has to close.
+      modes.render();
+      if (!isBody(app.store.document)) outcome.render();
     },
   };
 }
