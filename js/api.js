@@ -137,7 +137,7 @@ export function createApi(engine) {
         return whole(engine, "svg").svg(text, toText(options, "options"), describe(engine.match(text, false)));
       }),
     fit: (document, options) => ask(() => engine.fit(toText(document), toText(options, "options"))),
-    insertPoint: (document, curve, u) => ask(() => engine.insertPoint(toText(document), curve, u)),
+    insertPoint: (document, curve, u) => ask(() => whole(engine, "insertPoint").insertPoint(toText(document), curve, u)),
     defaults: (document) => ask(() => engine.defaults(toText(document))),
     span: (document, span) => ask(() => spanOf(engine.defaults(toText(document)), span)),
     explain: (document, line) =>
@@ -175,14 +175,15 @@ export function createApi(engine) {
     job(document, { paint, solid, solidFile, hyperpatch, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       if (hyperpatch) {
         const work = body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {});
-        return {
-          step(budget) {
-            const progress = work.step(budget);
-            return progress < 1 ? { progress, done: false } : { progress, done: true, ...work.end() };
-          },
+        /** @type {import("./directrix.js").Progress | undefined} */
+        let last;
+        const step = (/** @type {number} */ budget) => {
+          const progress = work.step(budget);
+          return progress < 1 ? { progress, done: false } : (last = { progress, done: true, ...work.end() });
         };
+        return { step: (budget) => last ?? step(budget) };
       }
-      const text = ask(() => (greedy ? greedyText(engine, document) : toText(document)));
+      const text = ask(() => (greedy ? greedyText(engine, /** @type {any} */ (document)) : toText(document)));
       /** @type {(() => Work) | undefined} */
       let next;
       if (paint) next = () => painted(text, paint);

@@ -26,7 +26,7 @@ export async function connect(options = {}) {
   const functions = FUNCTIONS.map((name) => [name, (/** @type {any[]} */ ...args) => client.call(name, args)]);
   return {
     .../** @type {any} */ (Object.fromEntries(functions)),
-    hyperpatch: (document, control) => body(client, document, control),
+    hyperpatch: (/** @type {any} */ document, /** @type {any} */ control) => body(client, document, control),
     close: () => client.close(),
     runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {
@@ -39,7 +39,7 @@ export async function connect(options = {}) {
  * A body whose questions the worker answers. They carry the text of the document, so that a worker that was restarted answers them as well.
  *
  * @param {Client} client
- * @param {import("./directrix.js").DocumentInput} document
+ * @param {import("./directrix.js").HyperpatchDocument | string} document
  * @param {import("./directrix.js").Control} [control]
  * @returns {Promise<import("./directrix.js").RemoteHyperpatch>}
  */

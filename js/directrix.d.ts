@@ -98,6 +98,17 @@ export interface SpaceDocument extends Omit<CurvesDocument, "curves"> {
 }
 
 /** A document as an object, or its JSON text. */
+/** A hyperpatch document; docs/format.md defines every field. Operations that this release does not know are refused. */
+export interface HyperpatchDocument {
+  directrix: 1;
+  kind: "hyperpatch";
+  title?: string;
+  unit?: string;
+  materials?: Material[];
+  /** What makes the body, in order: such as `{ op: "cells", cells }`. */
+  operations: { op: string; [field: string]: unknown }[];
+}
+
 export type DocumentInput = CurvesDocument | SpaceDocument | string;
 
 /** What the matching of curves in space takes for granted: they are seen along one direction, each as lying at its mean height. */
@@ -475,6 +486,8 @@ export interface Progress {
   solid?: Solid;
   /** Of a job that writes a file, when it is done. */
   file?: Uint8Array;
+  /** Of a job that answers a question about a body, when it is done: what the method of that name returns. */
+  answer?: any;
 }
 
 /** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
@@ -585,8 +598,204 @@ export interface JobOptions extends MatchOptions {
   paint?: PictureOptions;
   solid?: SolidOptions;
   solidFile?: SolidFileOptions;
+  /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
+  hyperpatch?: { question: keyof Hyperpatch; rest?: object };
   greedy?: boolean;
 }
+
+/** A point [x, y, z], z up, or parameters [u, v, w]. */
+export type Triple = [number, number, number];
+
+/** A face of a cell: where one parameter is 0 or 1. */
+export type FaceName = "u0" | "u1" | "v0" | "v1" | "w0" | "w1";
+
+/** From best to worst: see docs/api.md. */
+export type VerdictName = "regular" | "valid" | "locally-valid" | "degenerate" | "invalid";
+
+/** A cell of a body in short. */
+export interface CellSummary {
+  /** Its number, which no later deletion of another cell changes. */
+  id: number;
+  /** Its corners, w fastest, then v. */
+  corners: Triple[];
+  /** How regular it is, -1 to 1. */
+  margin: number;
+  /** Negative where the cell is mirrored. */
+  volume: number;
+}
+
+/** The verdict on a cell. */
+export interface CellVerdict {
+  cell: number;
+  verdict: VerdictName;
+  /** How regular it is, -1 to 1; above 0 the cone condition holds. */
+  margin: number;
+  /** The least Jacobian determinant that was found; of a mirrored cell that of the reoriented one. */
+  leastJacobian: number;
+  /** It is proven to be nowhere less. */
+  leastJacobianBound: number;
+  /** What shows that the cell is invalid or degenerate: a place where the determinant is not positive, or two parameters with one point. */
+  witness: { kind: "folded"; at: Triple; jacobian: number; point: Triple } | { kind: "meeting"; at: Triple; other: Triple; point: Triple } | null;
+  mirrored: boolean;
+}
+
+/** How two cells lie to each other; pairs that are not listed are disjoint. */
+export interface CellRelation {
+  /** The lower number first. */
+  cells: [number, number];
+  relation: "shares" | "overlaps" | "touches" | "not-proven";
+  /** Of `shares`: exactly so many faces, edges that are on none of them, and corners that are on neither. */
+  faces?: number;
+  edges?: number;
+  corners?: number;
+  /** Of `overlaps`: a point inside both. */
+  point?: Triple;
+  /** Of `overlaps`: its parameters in both cells; of `touches`: a place in the first. */
+  at?: Triple[];
+}
+
+/** What is to be said about a body as a whole. */
+export interface BodySummary {
+  /** Number of cells. */
+  cells: number;
+  /** Number of cells with each verdict. */
+  verdicts: Record<VerdictName, number>;
+  mirrored: number;
+  /** The cell with the worst verdict and, of those, the least margin; null without cells. */
+  worst: CellVerdict | null;
+  /** Pairs that overlap, touch besides what they share, or of which nothing was proven. */
+  pairs: CellRelation[];
+  sharedFaces: number;
+  outerFaces: number;
+  /** Largest difference between 1 and the sum of the fractions, of all coefficients and so of all points. */
+  sumError: number;
+}
+
+/** Triangles in cells, with the material at their vertices. */
+interface BodyTriangles {
+  /** Three numbers a vertex. Vertices are not shared between cells or faces. */
+  positions: Float32Array;
+  /** Three numbers a vertex: u, v, w in its cell. */
+  parameters: Float32Array;
+  /** The number of the cell of each vertex. */
+  cells: Uint32Array;
+  /** As many numbers a vertex as there are materials. */
+  fractions: Float32Array;
+  /** Four numbers a vertex: sRGB, mixed in Oklab, and 255. */
+  colors: Uint8Array;
+  /** Three vertices a triangle. */
+  indices: Uint32Array;
+}
+
+/** What belongs to one cell, or to one of its faces. */
+interface BodyPatch {
+  cell: number;
+  vertexStart: number;
+  vertexCount: number;
+  /** Of the first one in `indices`. */
+  start: number;
+  /** In `indices`. */
+  count: number;
+}
+
+/** What a plane cuts out of a body. Triangles run counter-clockwise against the normal. */
+export interface BodySection extends BodyTriangles {
+  /** Two vertices a piece: where cells end. */
+  outline: Uint32Array;
+  area: number;
+  patches: (BodyPatch & { outlineStart: number; outlineCount: number })[];
+}
+
+/** The boundary of a body: the faces that one cell alone has. Triangles run counter-clockwise from outside. */
+export interface BodySurface extends BodyTriangles {
+  /** Three numbers a vertex: unit normals, outwards. */
+  normals: Float32Array;
+  patches: (BodyPatch & { face: FaceName })[];
+  /** No point of a face is farther than this from the triangles. */
+  deviation: number;
+  /** Three numbers a point: the boundary curves, one after the other. */
+  edgePositions: Float32Array;
+  /**
+   * Each boundary curve once: a cell and its edge, along `axis` and at the start (0) or the end (1) of both other axes; how many cells have it; its
+   * points in `edgePositions`.
+   */
+  edges: { cell: number; axis: "u" | "v" | "w"; ends: number[]; cells: number; start: number; count: number }[];
+  /** Each corner once: a cell and its corner, 0 or 1 along u, v and w; how many cells have it. */
+  corners: { cell: number; corner: number[]; cells: number; position: Triple }[];
+}
+
+/** How cells continue each other, in shape and in material apart. */
+export interface BodyContinuity {
+  /** Across each face that two cells share: of the whole face, and of the block at each of its corners (as those of the first cell). */
+  faces: {
+    sides: { cell: number; face: FaceName }[];
+    /** How the parameters of the first face become those of the second: they change places, then each may run backwards. */
+    swapped: boolean;
+    reversed: boolean[];
+    shape: "C0" | "C1";
+    material: "none" | "C0" | "C1";
+    corners: { corner: number[]; shape: "C0" | "C1"; material: "none" | "C0" | "C1" }[];
+  }[];
+  /** Faces that have corners in common, with their blocks, and part from there: with the largest distance between them. */
+  contacts: {
+    sides: { cell: number; face: FaceName }[];
+    swapped: boolean;
+    reversed: boolean[];
+    /** Those that are common, as corners of the first cell. */
+    corners: number[][];
+    gap: number;
+  }[];
+}
+
+/** All corners, edges and faces of a body, each with every cell that has it. */
+export interface BodySharing {
+  corners: { position: Triple; sides: { cell: number; corner: number[] }[] }[];
+  edges: { sides: { cell: number; axis: "u" | "v" | "w"; ends: number[] }[] }[];
+  faces: { sides: { cell: number; face: FaceName }[] }[];
+  /** How many of each two or more cells have. */
+  shared: { corners: number; edges: number; faces: number };
+}
+
+/** Points on a grid of parameters of a cell, w fastest, then v. */
+export interface CellGrid {
+  /** Along u, v and w. */
+  counts: Triple;
+  x: Float32Array;
+  y: Float32Array;
+  z: Float32Array;
+  /** One array for each material. */
+  fractions: Float32Array[];
+}
+
+/** A body of hyperpatches. All methods throw `DirectrixError`. */
+export interface Hyperpatch {
+  readonly cells: CellSummary[];
+  sample(cell: number, uvw: Triple): { position: Triple; mix: number[] };
+  /** With `global: false` only the certificates: a cell may then be `locally-valid`. Default true. */
+  verdicts(options?: { global?: boolean }): CellVerdict[];
+  summary(): BodySummary;
+  volume(): number;
+  /** Volume of each material. */
+  amounts(): number[];
+  /** `steps` along each axis of a cell, 1 to 64, default 8. */
+  section(plane: { normal: Triple; offset?: number; point?: Triple }, options?: { steps?: number }): BodySection;
+  /** Default of the chord tolerance: a thousandth of the diagonal of the body. */
+  surface(options?: { tolerance?: number }): BodySurface;
+  /** null outside; on what several cells share the one with the lowest number answers. */
+  probe(point: Triple): { cell: number; uvw: Triple; mix: number[] } | null;
+  relations(): CellRelation[];
+  continuity(): BodyContinuity;
+  sharing(): BodySharing;
+  /** 2 to 512 points along each axis, at most 2 097 152. */
+  grid(cell: number, counts: Triple): CellGrid;
+  /** The surface as binary STL, binary PLY with colours and fractions, OBJ with colours; the cells as an unstructured grid of VTK. */
+  file(options: { format: "stl" | "ply" | "obj" | "vtu"; tolerance?: number }): Uint8Array;
+}
+
+/** A body whose questions a worker answers. */
+export type RemoteHyperpatch = { readonly cells: CellSummary[] } & {
+  [K in Exclude<keyof Hyperpatch, "cells">]: Asynchronous<Hyperpatch[K]>;
+};
 
 /** Triangles of one part of a solid. */
 export interface SolidGroup {
@@ -651,6 +860,7 @@ export interface Directrix {
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   svg(document: DocumentInput, options: PictureOptions): string;
   fit(document: DocumentInput, options: PictureSize): View;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   insertPoint(document: DocumentInput, curve: number, u: number): CurvesDocument;
   defaults(document: DocumentInput): CurvesDocument;
   /** The document of two neighbours of a stack, curve `span` and the next, for functions that take two curves. */
@@ -676,11 +886,13 @@ export interface Directrix {
    * the code `not-in-module`.
    */
   solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  hyperpatch(document: HyperpatchDocument | string): Hyperpatch;
   /**
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
-   * these functions.
+   * these functions; `hyperpatch` is a question about a document of that kind.
    */
-  job(document: DocumentInput, options?: JobOptions): Job;
+  job(document: DocumentInput | HyperpatchDocument, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {
@@ -708,7 +920,8 @@ export interface Control {
 type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A, control?: Control]) => Promise<R> : never;
 
 /** The functions of a module in a worker, as promises. */
-export type Connection = { [K in Exclude<keyof Directrix, "job">]: Asynchronous<Directrix[K]> } & {
+export type Connection = { [K in Exclude<keyof Directrix, "job" | "hyperpatch">]: Asynchronous<Directrix[K]> } & {
+  hyperpatch(document: HyperpatchDocument | string, control?: Control): Promise<RemoteHyperpatch>;
   /** Ends the worker. */
   close(): void;
   /** The worker of the page's own origin, or one made on the page because the package comes from another. */
@@ -731,6 +944,11 @@ export function describe(match: Match): string;
 
 /** The curves of a document in a sentence each: degree, control points, size, materials. */
 export function describeCurves(document: CurvesDocument): string;
+
+/**
+ * What is known of a body in one sentence: `8 cells, all regular, none overlapping, materials sum to 1`. It counts what fails and says what holds once.
+ */
+export function describeBody(summary: BodySummary): string;
 
 /** What a link says: the document it leads to, and how that is shown. Of `document`, `preset` and `url` at most one is there. */
 export interface Link {
@@ -760,6 +978,7 @@ export type ErrorCode =
   | "range"
   | "non-finite"
   | "version"
+  | "kind"
   | "not-yet"
   | "limit"
   | "points"

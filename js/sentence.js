@@ -84,6 +84,42 @@ export function describeCurves({ curves, materials = [], unit = "mm" }) {
     .join(" ");
 }
 
+/** What is said of the cells with a verdict, from the worst on; of those that are regular nothing is. */
+const FOUND = /** @type {const} */ ([
+  ["invalid", "invalid"],
+  ["degenerate", "degenerate"],
+  ["locally-valid", "sound in every place, not proven to meet itself nowhere"],
+  ["valid", "valid but not regular"],
+]);
+
+/**
+ * What is known of a body, in one sentence without a full stop, such as `8 cells, all regular, none overlapping, materials sum to 1`.
+ *
+ * @param {import("./directrix.js").BodySummary} summary
+ * @returns {string}
+ */
+export function describeBody({ cells, verdicts, mirrored, worst, pairs, sumError }) {
+  if (cells === 0) return "No cell yet";
+  const pairsThat = (/** @type {string} */ relation) => pairs.filter((pair) => pair.relation === relation).length;
+  const [overlaps, touches, open] = ["overlaps", "touches", "not-proven"].map(pairsThat);
+  const all = (/** @type {number} */ count) => (count === cells && cells > 1 ? "all" : `${count}`);
+  const states = FOUND.filter(([name]) => verdicts[name] > 0).map(([name, words]) => {
+    const count = cells === 1 ? "" : `${all(verdicts[name])} `;
+    return `${count}${words}${worst?.verdict === name && name === "invalid" && cells > 1 ? ` (cell ${worst.cell})` : ""}`;
+  });
+  return [
+    counted(cells, "cell", "cells"),
+    ...(states.length > 0 ? states : [cells === 1 ? "regular" : "all regular"]),
+    mirrored > 0 && (cells === 1 ? "mirrored" : `${all(mirrored)} mirrored`),
+    cells > 1 && (overlaps > 0 ? `${counted(overlaps, "pair", "pairs")} overlapping` : open === 0 && "none overlapping"),
+    touches > 0 && `${counted(touches, "pair", "pairs")} touching`,
+    open > 0 && `${counted(open, "pair", "pairs")} not decided`,
+    sumError <= 1e-9 ? "materials sum to 1" : `materials sum to 1 within ${sumError.toPrecision(1)}`,
+  ]
+    .filter(Boolean)
+    .join(", ");
+}
+
 /** @param {number} count @param {string} one @param {string} many */
 const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 

@@ -20,7 +20,8 @@ const GREEN = { name: "ceramic", color: "#009e73" };
  * A cell from a function of its parameters that is tricubic at most between thirds, as control points.
  *
  * @param {(place: Place) => number[]} position of the control point at parameters in steps of a third
- * @param {(corner: Place) => number[]} mix at a corner, each coordinate 0 or 1; the 8 coefficients of its block have it
+ * @param {(corner: Place, place: Place) => number[]} mix at a corner, each coordinate 0 or 1: the 8 coefficients of its block have it, unless it
+ *   depends on their place, too
  * @returns {Cell}
  */
 function cell(position, mix) {
@@ -30,7 +31,7 @@ function cell(position, mix) {
       for (let k = 0; k < 4; k++) {
         const corner = /** @type {Place} */ ([i, j, k].map((n) => (n < 2 ? 0 : 1)));
         const place = /** @type {Place} */ ([THIRDS[i], THIRDS[j], THIRDS[k]]);
-        coefficients.push({ position: position(place).map(rounded), mix: mix(corner).map(rounded) });
+        coefficients.push({ position: position(place).map(rounded), mix: mix(corner, place).map(rounded) });
       }
     }
   }
@@ -58,7 +59,8 @@ function twisted(degrees) {
 const upwards = ([, , w]) => [1 - w, w];
 
 /**
- * A cube with its eight inner coefficients moved along u against their neighbours: all corners stay sound.
+ * A cube whose eight inner coefficients are moved along u, against each other: its edges stay straight, and the determinant is 1 at all corners. It
+ * is least in the middle, 1 - 27/32 of the shift.
  *
  * @param {number} shift 0 leaves the cube as it is
  * @returns {(place: Place) => number[]}
@@ -71,20 +73,16 @@ function folded(shift) {
 }
 
 /**
- * A bar of square section that runs once round a screw line so low that its ends pass through each other.
+ * A thin bar along u that runs round a loop and through itself. No part of it is folded: only the whole is wrong.
  *
  * @returns {(place: Place) => number[]}
  */
 function crossing() {
-  // A cubic with a loop: its ends cross.
-  const path = [[-2, 0], [4, 3], [-4, 3], [2, 0]];
-  const across = [[-1, 2], [-1, -1], [1, -1], [1, 2]];
+  const path = [[0, 0], [12, 8], [-6, 8], [6, 0]];
+  const sides = [[-0.55, 0.83], [-1, -0.9], [1, -0.9], [0.55, 0.83]];
   return ([u, v, w]) => {
     const n = Math.round(3 * u);
-    const [dx, dy] = across[n];
-    const length = Math.hypot(dx, dy);
-    const side = 0.3 * (2 * v - 1);
-    return [path[n][0] + (side * -dy) / length, path[n][1] + (side * dx) / length, 0.6 * w];
+    return [path[n][0] + sides[n][0] * 0.2 * (v - 0.5), path[n][1] + sides[n][1] * 0.2 * (v - 0.5), 0.2 * w];
   };
 }
 
@@ -118,17 +116,19 @@ function share(index, count) {
   return [1 - part, part];
 }
 
-/** Two cells side by side along x: equal on one half of the common face, apart on the other. */
+/**
+ * Two cells with a common face. Below they run on smoothly in shape, above there is a kink; the material runs on at two corners, has a kink at one
+ * and a jump at the last.
+ */
 function pair() {
-  const bulge = (/** @type {Place} */ [u, v, w]) => [u, v, w + 0.12 * Math.sin(Math.PI * u)];
-  const first = cell(bulge, ([u]) => [1 - u, u, 0]);
+  const first = cell(([u, v, w]) => [u, v, w], ([u, v]) => [1 - u, u * v, u * (1 - v)]);
   const second = cell(
-    ([u, v, w]) => {
-      // Coefficients of the corners with w = 1 part from the first cell; those with w = 0 run on smoothly.
-      const [x, y, z] = bulge([u, v, w]);
-      return w > 0.5 ? [1 + x + 0.15 * (1 - u), y, z + 0.25 * u] : [1 + x, y, u > 0 && u < 1 ? w - 0.12 * Math.sin(Math.PI * u) : z];
+    ([u, v, w]) => [1 + u, v, w + (w > 0.5 ? 0.9 * u * (1 - u / 2) : 0)],
+    ([u, v, w], place) => {
+      if (u === 0 && v === 0 && w === 0) return [1, 0, 0];
+      const isBent = v === 1 && w === 1 && place[0] > 0;
+      return u === 1 || isBent ? [0.5, v / 2, (1 - v) / 2] : [0, v, 1 - v];
     },
-    ([u, v]) => (u === 0 && v === 0 ? [0, 0.5, 0.5] : [0, 1 - u, u]),
   );
   return [first, second];
 }
@@ -169,8 +169,8 @@ export function presets() {
   return {
     cell: document("One cell", two, [cell(([u, v, w]) => [2 * u - 1, 2 * v - 1, 2 * w], upwards)]),
     twisted: document("Twisted", two, [cell(twisted(60), upwards)]),
-    "nearly-invalid": document("Nearly invalid", two, [cell(folded(0.3), upwards)]),
-    invalid: document("Folded inside", two, [cell(folded(0.75), upwards)]),
+    "nearly-invalid": document("Nearly invalid", two, [cell(folded(1.15), upwards)]),
+    invalid: document("Folded inside", two, [cell(folded(1.6), upwards)]),
     crossing: document("Through itself", two, [cell(crossing(), ([u]) => [1 - u, u])]),
     pair: document("Two cells, mixed continuity", three, pair()),
     block: document("Block of eight", three, block()),
@@ -182,10 +182,17 @@ export function presets() {
   };
 }
 
-/** @param {object} document */
-export function textOf(document) {
-  // One coefficient a line: short enough to read and to compare.
-  return JSON.stringify(document, null, 1).replace(/\n\s+(?=[-\d\]])/g, (space, at, text) => (text[at + space.length] === "]" ? "" : " ")).replace(/\[ /g, "[").replace(/\{\n\s+"position"/g, '{ "position"').replace(/,\n\s+"mix"/g, ', "mix"').replace(/(\d\])\n\s+\}/g, "$1 }") + "\n";
+/**
+ * A document with a coefficient in each line: short enough to read and to compare.
+ *
+ * @param {any} document
+ */
+export function textOf({ operations, ...rest }) {
+  const cell = (/** @type {Cell} */ { coefficients }) =>
+    `    { "coefficients": [\n${coefficients.map((one) => `      ${JSON.stringify(one)}`).join(",\n")}\n    ] }`;
+  const head = Object.entries(rest).map(([name, value]) => `  "${name}": ${JSON.stringify(value)},\n`);
+  const [{ cells }] = operations;
+  return `{\n${head.join("")}  "operations": [{ "op": "cells", "cells": [\n${cells.map(cell).join(",\n")}\n  ] }]\n}\n`;
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {

@@ -70,8 +70,8 @@ pub struct CoefficientSpec {
 /// Reads a hyperpatch document and checks every field by itself.
 ///
 /// # Errors
-/// The first thing that is wrong, with the path of its field; a document of another kind among them. Mixes and colours are checked by
-/// [`HyperpatchModel::new`].
+/// The first thing that is wrong, with the path of its field; a document of another kind among them. Mixes and
+/// colours are checked by [`HyperpatchModel::new`].
 pub fn read_hyperpatch(document: &Json) -> Result<HyperpatchDocument, DocumentError> {
     let root = Node::root(document, "");
     check_version(&root)?;

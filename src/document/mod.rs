@@ -15,6 +15,7 @@ mod error;
 mod fields;
 #[cfg(feature = "hyperpatch")]
 mod hyperpatch;
+#[cfg(feature = "edit")]
 mod insert_point;
 mod iso_options;
 mod json;
@@ -56,6 +57,7 @@ pub use hyperpatch::{
     CellSpec, CoefficientSpec, HyperpatchDocument, HyperpatchKind, HyperpatchModel, OperationSpec,
     read_hyperpatch,
 };
+#[cfg(feature = "edit")]
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;

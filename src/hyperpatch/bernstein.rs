@@ -41,8 +41,8 @@ fn between<T: Coefficient>(a: T, b: T, t: f64) -> T {
     a * (1.0 - t) + b * t
 }
 
-/// Splits a polynomial in Bernstein form at `t`, by de Casteljau's algorithm: what was on [0, `t`] is left in `first`, what was
-/// on [`t`, 1] goes to `second`, each on [0, 1] again.
+/// Splits a polynomial in Bernstein form at `t`, by de Casteljau's algorithm: what was on [0, `t`] is left in
+/// `first`, what was on [`t`, 1] goes to `second`, each on [0, 1] again.
 ///
 /// # Panics
 /// When the two lists have different lengths.
@@ -83,7 +83,8 @@ pub(super) const fn stride(axis: Axis) -> usize {
     [16, 4, 1][axis as usize]
 }
 
-/// Where the 16 lines of coefficients along an axis begin in a list of 64; the later of the other two axes runs fastest.
+/// Where the 16 lines of coefficients along an axis begin in a list of 64; the later of the other two axes runs
+/// fastest.
 pub(super) fn lines(axis: Axis) -> impl Iterator<Item = usize> {
     let [first, second] = axis.others().map(stride);
     (0..4).flat_map(move |a| (0..4).map(move |b| a * first + b * second))

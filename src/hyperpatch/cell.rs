@@ -8,17 +8,20 @@ use glam::DVec3;
 use std::error::Error;
 use std::fmt;
 
-/// Largest absolute value of a coordinate: volumes are of the size of its cube, and products of those are far from overflow.
+/// Largest absolute value of a coordinate: volumes are of the size of its cube, and products of those are far from
+/// overflow.
 pub const LARGEST_COORDINATE: f64 = 1e9;
 
 /// Largest number of materials that a cell may mix.
 pub const MOST_MATERIALS: usize = 16;
 
-/// A tricubic Bezier hyperpatch: the shape and, independent of it, the fraction of each material, both as 64 coefficients.
+/// A tricubic Bezier hyperpatch: the shape and, independent of it, the fraction of each material, both as 64
+/// coefficients.
 ///
 /// # Guarantees
 /// - Every coordinate is finite and at most [`LARGEST_COORDINATE`] in absolute value.
-/// - Every coefficient has a composition of the same number of materials, so every point has one as well (a mean of them).
+/// - Every coefficient has a composition of the same number of materials, so every point has one as well (a mean of
+///   them).
 ///
 /// Whether the shape is sound, no guarantee is given: see [`validity`](super::validity).
 #[derive(Debug, Clone, PartialEq)]
@@ -122,11 +125,12 @@ impl Cell {
         Self::new(net, &vec![mix.clone(); 64])
     }
 
-    /// A cell whose material goes over from corner to corner with slope zero there: every coefficient of a corner's block has
-    /// the composition of the corner, in the order of [`Corner::all`](super::Corner::all).
+    /// A cell whose material goes over from corner to corner with slope zero there: every coefficient of a corner's
+    /// block has the composition of the corner, in the order of [`Corner::all`](super::Corner::all).
     ///
-    /// With `S_1(t) = 3 t^2 - 2 t^3` and `S_0 = 1 - S_1` the composition is the mean of those of the corners with the weights
-    /// `S_a(u) S_b(v) S_c(w)`; so the paper keeps continuity of first order across faces (section 3.5, Fig. 10).
+    /// With `S_1(t) = 3 t^2 - 2 t^3` and `S_0 = 1 - S_1` the composition is the mean of those of the corners with the
+    /// weights `S_a(u) S_b(v) S_c(w)`; so the paper keeps continuity of first order across faces (section 3.5, Fig.
+    /// 10).
     ///
     /// # Errors
     /// As [`Cell::new`].
@@ -185,7 +189,8 @@ impl Cell {
         Ok(Self { net, fractions: self.fractions.clone() })
     }
 
-    /// The two cells on either side of `t` along an axis. Together they are the cell: neither shape nor material changes.
+    /// The two cells on either side of `t` along an axis. Together they are the cell: neither shape nor material
+    /// changes.
     ///
     /// # Errors
     /// When `t` does not lie between 0 and 1.

@@ -14,8 +14,8 @@ const SIDE_BY_SIDE: usize = 8;
 /// Evaluates cells on a grid of parameters, one list of `f32` for each component: x, y, z, then the fraction of each
 /// material. The last parameter runs fastest; the first and the last point of an axis are its ends.
 ///
-/// The buffers are used again from cell to cell. It serves pictures and exports: checks of validity and continuity work on
-/// the coefficients.
+/// The buffers are used again from cell to cell. It serves pictures and exports: checks of validity and continuity
+/// work on the coefficients.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     counts: [usize; 3],
@@ -68,8 +68,8 @@ impl Grid {
         &self.components
     }
 
-    /// Evaluates a cell by tensor contraction: the sum over i once for each u, that over j once for each (u, v), and that over
-    /// k for each point.
+    /// Evaluates a cell by tensor contraction: the sum over i once for each u, that over j once for each (u, v), and
+    /// that over k for each point.
     pub fn evaluate(&mut self, cell: &Cell) {
         let weights =
             &self.weights[2].each_ref().map(|list| list.iter().map(|&w| w as f32).collect::<Vec<f32>>());
@@ -84,8 +84,8 @@ impl Grid {
         });
     }
 
-    /// Evaluates a cell by forward differences along w: three additions a point. They run in `f64`, so the drift at the end
-    /// of a line stays below what `f32` resolves.
+    /// Evaluates a cell by forward differences along w: three additions a point. They run in `f64`, so the drift at
+    /// the end of a line stays below what `f32` resolves.
     pub fn difference(&mut self, cell: &Cell) {
         let count = self.counts[2];
         let h = 1.0 / (count - 1) as f64;
@@ -114,8 +114,8 @@ impl Grid {
         });
     }
 
-    /// Contracts the first two axes of every component and hands the cubics that are left for each u, one for each v, to `run`
-    /// with the values to fill in.
+    /// Contracts the first two axes of every component and hands the cubics that are left for each u, one for each v,
+    /// to `run` with the values to fill in.
     fn fill(&mut self, cell: &Cell, run: impl Fn(&[[f64; 4]], &mut [f32])) {
         let [nu, nv, nw] = self.counts;
         let component = |n: usize| match n {

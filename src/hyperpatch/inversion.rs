@@ -18,8 +18,8 @@ const MOST_HALVINGS: usize = 60;
 /// Most parts that are looked at; only in cells that are nearly flat there are more.
 const MOST_PARTS: usize = 1000;
 
-/// Parameters of the volume at `target`, from a start nearby, by Newton's iteration; `None` when it leaves the cell or does not
-/// arrive. Parameters outside [0, 1] by no more than [`SLACK`] are moved onto the boundary.
+/// Parameters of the volume at `target`, from a start nearby, by Newton's iteration; `None` when it leaves the cell
+/// or does not arrive. Parameters outside [0, 1] by no more than [`SLACK`] are moved onto the boundary.
 pub(super) fn newton(net: &Net, target: DVec3, start: DVec3) -> Option<DVec3> {
     let mut at = start;
     for _ in 0..MOST_STEPS {
@@ -56,9 +56,10 @@ struct Part {
 impl Net {
     /// Parameters of a point, or `None` when it does not lie in the volume.
     ///
-    /// Parts whose control points all lie on one side of the point, in the axes of space or in those of the part, are left out; in
-    /// the others Newton's iteration is tried, and they are halved. Points within 1e-9 of the boundary, in parameters,
-    /// count as inside. In a volume that meets itself, one of the places is found; in one that is nearly flat, points may be missed.
+    /// Parts whose control points all lie on one side of the point, in the axes of space or in those of the part, are
+    /// left out; in the others Newton's iteration is tried, and they are halved. Points within 1e-9 of the boundary,
+    /// in parameters, count as inside. In a volume that meets itself, one of the places is found; in one that is
+    /// nearly flat, points may be missed.
     #[must_use]
     pub fn invert(&self, target: DVec3) -> Option<DVec3> {
         let whole = Part { net: self.map(|p| p - target), lo: DVec3::ZERO, size: DVec3::ONE, halvings: 0 };

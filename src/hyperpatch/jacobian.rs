@@ -25,11 +25,12 @@ pub(super) const CORNERS: [usize; 8] = {
 
 /// The Jacobian determinant of a cell in Bernstein form: 9 x 9 x 9 coefficients, the last index fastest.
 ///
-/// The determinant lies between the least and the greatest coefficient, and takes the values of the coefficients at the corners.
+/// The determinant lies between the least and the greatest coefficient, and takes the values of the coefficients at
+/// the corners.
 ///
 /// # References
-/// A. Johnen, J.-F. Remacle and C. Geuzaine, "Geometrical validity of curvilinear finite elements", *Journal of Computational
-/// Physics* 233 (2013).
+/// A. Johnen, J.-F. Remacle and C. Geuzaine, "Geometrical validity of curvilinear finite elements", *Journal of
+/// Computational Physics* 233 (2013).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Jacobian {
     coefficients: Vec<f64>,
@@ -41,15 +42,15 @@ impl Jacobian {
     ///
     /// `J_pqr = 27 sum C(2,i1) C(3,i2) C(3,i3) / C(8,p) * ... * det(Du_{i1 j1 k1}, Dv_{i2 j2 k2}, Dw_{i3 j3 k3})`
     ///
-    /// over `i1 + i2 + i3 = p` and so on. The cross products of the first two factors are collected by their places (252), so that
-    /// 12,096 products take the place of 110,592 determinants.
+    /// over `i1 + i2 + i3 = p` and so on. The cross products of the first two factors are collected by their places
+    /// (252), so that 12,096 products take the place of 110,592 determinants.
     #[must_use]
     pub fn new(net: &Net) -> Self {
         let differences = net.differences();
         let [du, dv, dw] = &differences.0;
         let size = |list: &[DVec3; 48]| list.iter().map(|d| d.length_squared()).fold(0.0, f64::max).sqrt();
-        // Sum of at most 48 terms twice, of products of three differences that are each rounded once; their absolute values sum
-        // to less than 1.2 times the product of the lengths.
+        // Sum of at most 48 terms twice, of products of three differences that are each rounded once; their absolute
+        // values sum to less than 1.2 times the product of the lengths.
         let error = 27.0 * 384.0 * UNIT_ROUNDOFF * size(du) * size(dv) * size(dw);
         let (du, dv, dw) = (scaled(du, [3, 4, 4]), scaled(dv, [4, 3, 4]), scaled(dw, [4, 4, 3]));
 
@@ -97,15 +98,15 @@ impl Jacobian {
         self.error
     }
 
-    /// The volume of the cell, where the determinant is nowhere negative: the mean of the coefficients. Parts that are turned
-    /// inside out count with a minus.
+    /// The volume of the cell, where the determinant is nowhere negative: the mean of the coefficients. Parts that
+    /// are turned inside out count with a minus.
     #[must_use]
     pub fn volume(&self) -> f64 {
         self.coefficients.iter().sum::<f64>() / COUNT as f64
     }
 
-    /// The integral of each Bernstein polynomial of degree 3 over the cell, in the order of its coefficients; they sum to the
-    /// volume.
+    /// The integral of each Bernstein polynomial of degree 3 over the cell, in the order of its coefficients; they
+    /// sum to the volume.
     ///
     /// `W_ijk = 12^-3 sum J_pqr C(3,i) C(8,p) / C(11,i+p) * ...`
     #[must_use]
@@ -153,7 +154,8 @@ mod tests {
     use crate::hyperpatch::test_cells::{quarter_ring, random, random_net, random_place, ring_cell};
     use crate::material::Composition;
 
-    /// The coefficients of integral control points times `C(8,p) C(8,q) C(8,r) / 27`, from all 110,592 determinants in integers.
+    /// The coefficients of integral control points times `C(8,p) C(8,q) C(8,r) / 27`, from all 110,592 determinants
+    /// in integers.
     fn exact(net: &[[i128; 3]; 64]) -> Vec<i128> {
         let choose = |n: usize, k: usize| binomial(n, k) as i128;
         let list = |step: usize, sizes: [usize; 3]| {
@@ -209,7 +211,8 @@ mod tests {
         }
     }
 
-    /// The polynomial of the coefficients against the determinant of the derivatives, within the stated error of either.
+    /// The polynomial of the coefficients against the determinant of the derivatives, within the stated error of
+    /// either.
     #[test]
     fn the_polynomial_is_the_determinant() {
         for seed in 0..10 {

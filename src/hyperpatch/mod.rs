@@ -1,11 +1,13 @@
 //! Bodies of heterogeneous tricubic Bezier hyperpatches.
 //!
-//! After Conde-Rodriguez, Torres-Cantero, Garcia-Fernandez and Feito-Higueruela, *A comprehensive framework for modeling
-//! heterogeneous objects* (The Visual Computer, 2017), here called *the paper*. A [`Cell`] is one polynomial of degree 3 along each
-//! of three parameters (u, v, w) in [0, 1]; its 64 coefficients are pairs of a position and a composition, so the material
-//! belongs to the body and follows it when its shape is edited. [`Net`] is the shape alone.
+//! After Conde-Rodriguez, Torres-Cantero, Garcia-Fernandez and Feito-Higueruela, *A comprehensive framework for
+//! modeling heterogeneous objects* (The Visual Computer, 2017), here called *the paper*. A [`Cell`] is one polynomial
+//! of degree 3 along each of three parameters (u, v, w) in [0, 1]; its 64 coefficients are pairs of a position and a
+//! composition, so the material belongs to the body and follows it when its shape is edited. [`Net`] is the shape
+//! alone.
 //!
-//! Cells stay tricubic: continuity of second order would take away the freedom to join cells with jumps, and is not offered.
+//! Cells stay tricubic: continuity of second order would take away the freedom to join cells with jumps, and is not
+//! offered.
 
 mod bernstein;
 mod cell;

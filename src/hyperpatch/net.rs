@@ -70,8 +70,8 @@ impl Net {
         (contract(&self.0, &values), [0, 1, 2].map(derivative))
     }
 
-    /// The Jacobian determinant: how many times larger than in parameter space a small volume is; negative where it is turned
-    /// inside out.
+    /// The Jacobian determinant: how many times larger than in parameter space a small volume is; negative where it
+    /// is turned inside out.
     #[must_use]
     pub fn jacobian(&self, at: DVec3) -> f64 {
         let [a, b, c] = self.derivatives(at);
@@ -157,8 +157,8 @@ impl Differences {
     /// Number of coefficients of the derivative along each axis, as u, v, w.
     const SIZES: [[usize; 3]; 3] = [[3, 4, 4], [4, 3, 4], [4, 4, 3]];
 
-    /// What the differences are on a box of parameters, which may be flat: a third of the derivatives there, not scaled to
-    /// the box. Every derivative on the box is three times a mean of them.
+    /// What the differences are on a box of parameters, which may be flat: a third of the derivatives there, not
+    /// scaled to the box. Every derivative on the box is three times a mean of them.
     #[must_use]
     pub fn part(&self, lo: DVec3, hi: DVec3) -> Self {
         let mut all = self.0;

@@ -73,7 +73,8 @@ impl Corner {
 
     /// Places of the 8 coefficients of the corner's block, which no other corner has; the corner itself comes first.
     ///
-    /// Bits of the place in the list say along which axes a coefficient is one step inside: w is bit 0, v bit 1 and u bit 2.
+    /// Bits of the place in the list say along which axes a coefficient is one step inside: w is bit 0, v bit 1 and u
+    /// bit 2.
     #[must_use]
     pub fn block(self) -> [usize; 8] {
         std::array::from_fn(|n| {
@@ -145,15 +146,15 @@ impl Face {
         first.unit() * s + second.unit() * t + end
     }
 
-    /// Whether the normal that points out of a cell of positive Jacobian is the cross product of the derivatives along the two
-    /// axes of the face, in order, rather than its opposite.
+    /// Whether the normal that points out of a cell of positive Jacobian is the cross product of the derivatives
+    /// along the two axes of the face, in order, rather than its opposite.
     #[must_use]
     pub fn is_outward(self) -> bool {
         (self.axis == Axis::V) != self.is_end
     }
 
-    /// The four boundary curves of the face: along its first axis at the start and the end of the second, then along its second
-    /// axis at the start and the end of the first.
+    /// The four boundary curves of the face: along its first axis at the start and the end of the second, then along
+    /// its second axis at the start and the end of the first.
     #[must_use]
     pub fn edges(self) -> [Edge; 4] {
         let [first, second] = self.axis.others();

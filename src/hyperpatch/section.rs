@@ -95,8 +95,8 @@ impl Plane {
 
 /// What a plane cuts out of a body: triangles in the plane, counter-clockwise against its normal, and where cells end.
 ///
-/// Vertices are not shared between cells. Each has its parameters, so that material there is exact, and lies on the plane up to
-/// rounding.
+/// Vertices are not shared between cells. Each has its parameters, so that material there is exact, and lies on the
+/// plane up to rounding.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Section {
     /// Points.
@@ -136,9 +136,9 @@ impl Section {
 
 /// The job that cuts a body, cell by cell.
 ///
-/// The distance of a cell from the plane is a tricubic polynomial of one component. It is evaluated on a lattice of the parameters;
-/// every cube of the lattice is divided into six tetrahedra, whose edges are cut where the polynomial is zero. Pieces of the
-/// section that no edge of the lattice runs through are missed.
+/// The distance of a cell from the plane is a tricubic polynomial of one component. It is evaluated on a lattice of
+/// the parameters; every cube of the lattice is divided into six tetrahedra, whose edges are cut where the polynomial
+/// is zero. Pieces of the section that no edge of the lattice runs through are missed.
 ///
 /// `B` is a reference to a body, or shared ownership of one.
 #[derive(Debug)]
@@ -188,7 +188,8 @@ pub fn section(body: &Body, plane: Plane, steps: usize) -> Result<Section, Secti
     }
 }
 
-/// Distances from the plane on a lattice, with the vertices that edges of the lattice have got. Used again from cell to cell.
+/// Distances from the plane on a lattice, with the vertices that edges of the lattice have got. Used again from cell
+/// to cell.
 #[derive(Debug)]
 struct Lattice {
     steps: usize,
@@ -198,8 +199,8 @@ struct Lattice {
     vertices: Vec<u32>,
 }
 
-/// Corners of the six tetrahedra of a cube: each goes from the corner 0 to the corner 7 along one axis after the other. Bits of a corner
-/// are steps along w (1), v (2) and u (4).
+/// Corners of the six tetrahedra of a cube: each goes from the corner 0 to the corner 7 along one axis after the
+/// other. Bits of a corner are steps along w (1), v (2) and u (4).
 const TETRAHEDRA: [[usize; 4]; 6] =
     [[0, 4, 6, 7], [0, 4, 5, 7], [0, 2, 6, 7], [0, 2, 3, 7], [0, 1, 5, 7], [0, 1, 3, 7]];
 
@@ -366,8 +367,8 @@ impl Lattice {
 }
 
 impl Cutting<'_> {
-    /// Where the distance is zero between two parameters at which it has different signs: the secant rule, in which an end that
-    /// stays twice counts by half, so that both ends come near.
+    /// Where the distance is zero between two parameters at which it has different signs: the secant rule, in which
+    /// an end that stays twice counts by half, so that both ends come near.
     fn zero(&self, start: DVec3, end: DVec3, values: [f64; 2]) -> DVec3 {
         let (mut lo, mut hi) = ((0.0, values[0]), (1.0, values[1]));
         if lo.1 == 0.0 {
@@ -479,7 +480,8 @@ mod tests {
         }
     }
 
-    /// Areas of a ring against pi (R^2 - r^2) and a chord section against its rectangle, converging with the square of the steps.
+    /// Areas of a ring against pi (R^2 - r^2) and a chord section against its rectangle, converging with the square
+    /// of the steps.
     #[test]
     fn sections_of_a_ring_converge() {
         let body = body((0..12).map(|n| ring_cell(12, n, 1.0, 2.0, 1.0)));

@@ -13,8 +13,8 @@ pub const MOST_SEGMENTS: usize = 64;
 
 /// Triangles of some faces of the cells of a body.
 ///
-/// Vertices are not shared between faces, but along a shared edge both faces have the same points, bit by bit, so nothing shows
-/// between them. Each has its parameters, so that the material there is exact.
+/// Vertices are not shared between faces, but along a shared edge both faces have the same points, bit by bit, so
+/// nothing shows between them. Each has its parameters, so that the material there is exact.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surface {
     /// Points.
@@ -27,8 +27,8 @@ pub struct Surface {
     pub triangles: Vec<[u32; 3]>,
     /// The faces, in the order in which they were asked for.
     pub patches: Vec<Patch>,
-    /// No point of a face is farther than this from the triangles, by proof. It is above the tolerance where [`MOST_SEGMENTS`]
-    /// are not enough.
+    /// No point of a face is farther than this from the triangles, by proof. It is above the tolerance where
+    /// [`MOST_SEGMENTS`] are not enough.
     pub deviation: f64,
 }
 
@@ -63,8 +63,8 @@ impl Error for ToleranceError {}
 /// Numbers of the control points of an edge, in the direction that comes first.
 type EdgeKey = [u32; 4];
 
-/// The job that triangulates faces: first how fine each must be, then, with every edge as fine as the finest face on it, the
-/// triangles.
+/// The job that triangulates faces: first how fine each must be, then, with every edge as fine as the finest face on
+/// it, the triangles.
 ///
 /// `B` and `S` are references to a body and to what its cells share, or shared ownership of them.
 #[derive(Debug)]
@@ -87,8 +87,8 @@ pub struct Tessellation<B, S> {
 }
 
 impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
-    /// The job for some faces, such as [`Sharing::outer_faces`]. The chord tolerance is a length. Faces of cells that the body
-    /// does not have are left out.
+    /// The job for some faces, such as [`Sharing::outer_faces`]. The chord tolerance is a length. Faces of cells that
+    /// the body does not have are left out.
     ///
     /// # Errors
     /// When the tolerance is no positive number.
@@ -178,8 +178,8 @@ impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
         self.counts.push(counts);
     }
 
-    /// Adds the triangles of a face: those of a grid that is as fine as its finest edges. On a coarser edge, points of the grid move to the
-    /// nearest point of the edge, along it, and triangles that lose their area are left out.
+    /// Adds the triangles of a face: those of a grid that is as fine as its finest edges. On a coarser edge, points
+    /// of the grid move to the nearest point of the edge, along it, and triangles that lose their area are left out.
     fn mesh(&mut self, id: CellId, net: &Net, numbers: &[u32; 64], face: Face) {
         let own = self.counts[self.meshed];
         let edges = face.edges();
@@ -219,7 +219,8 @@ impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
             for k in 0..n {
                 let [a, b, c, d] =
                     [(i, k), (i + 1, k), (i + 1, k + 1), (i, k + 1)].map(|(i, k)| places[i * (n + 1) + k]);
-                // Diagonals start at the nearest corner, so that points that moved along two sides do not turn a triangle over.
+                // Diagonals start at the nearest corner, so that points that moved along two sides do not turn a
+                // triangle over.
                 let is_rising = (2 * i < m) == (2 * k < n);
                 let halves = if is_rising { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
                 for [a, b, c] in halves {
@@ -292,7 +293,8 @@ fn bends(points: &[DVec3; 16]) -> [f64; 3] {
 /// Largest distance between a surface and the triangles of a grid.
 ///
 /// # References
-/// D. Filip, R. Magedson and R. Markot, "Surface algorithms using bounds on derivatives", *Computer Aided Geometric Design* 3 (1986).
+/// D. Filip, R. Magedson and R. Markot, "Surface algorithms using bounds on derivatives", *Computer Aided Geometric
+/// Design* 3 (1986).
 fn deviation(bends: [f64; 3], counts: [usize; 2]) -> f64 {
     let [a, b] = counts.map(|count| 1.0 / count as f64);
     (a * a * bends[0] + 2.0 * a * b * bends[1] + b * b * bends[2]) / 8.0
@@ -399,7 +401,8 @@ mod tests {
         }
     }
 
-    /// Points between the vertices, on the face at the mean of the parameters, are within the stated deviation of the triangle.
+    /// Points between the vertices, on the face at the mean of the parameters, are within the stated deviation of the
+    /// triangle.
     #[test]
     fn the_deviation_is_kept() {
         let body = body([twisted(120.0), ring_cell(4, 0, 3.0, 5.0, 1.0)]);

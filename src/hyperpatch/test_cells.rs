@@ -57,8 +57,8 @@ pub(super) fn twisted(degrees: f64) -> Net {
     }))
 }
 
-/// The unit cube whose inner control points are moved by `shift` against each other along x: its edges stay straight and J is
-/// 1 at its corners.
+/// The unit cube whose inner control points are moved by `shift` against each other along x: its edges stay straight
+/// and J is 1 at its corners.
 pub(super) fn folded(shift: f64) -> Net {
     let mut net = Net::cuboid(DVec3::ZERO, DVec3::ONE);
     for (i, sign) in [(1, 1.0), (2, -1.0)] {

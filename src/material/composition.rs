@@ -92,7 +92,7 @@ impl Composition {
         Self((0..count).map(|i| if i == index { 1.0 } else { 0.0 }).collect())
     }
 
-    /// The composition of fractions that are one already up to rounding errors, such as a mean of compositions.
+    /// The composition of fractions that rounding may have brought a little below 0 or off the sum 1, such as those of a mean.
     #[cfg(any(feature = "hyperpatch", feature = "stack"))]
     pub(crate) fn rounded(mut fractions: Vec<f64>) -> Self {
         fractions.iter_mut().for_each(|fraction| *fraction = fraction.max(0.0));

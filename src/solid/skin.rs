@@ -5,8 +5,8 @@ use crate::hyperpatch::Surface;
 use crate::hyperpatch::composite::Body;
 use std::ops::Deref;
 
-/// The job that gives the vertices of a surface their fractions, face by face. `B` is a reference to a body, or shared ownership of
-/// one.
+/// The job that gives the vertices of a surface their fractions, face by face. `B` is a reference to a body, or
+/// shared ownership of one.
 ///
 /// Vertices stay those of the surface: at one place two cells may have two materials.
 #[derive(Debug)]

@@ -113,13 +113,6 @@ impl Engine {
         to_value(&ViewResult::from(options.fit(&model)))
     }
 
-    /// The document with one more control point on a curve, which keeps its shape.
-    #[wasm_bindgen(js_name = insertPoint)]
-    pub fn insert_point(&self, text: &str, curve: usize, u: f64) -> Result<JsValue, JsValue> {
-        let document = read(text).and_then(|document| document::insert_point(document, curve, u));
-        to_value(&document.map_err(|e| to_js(&e))?)
-    }
-
     /// The document with all defaults spelt out.
     pub fn defaults(&self, text: &str) -> Result<JsValue, JsValue> {
         to_value(&read(text).map_err(|e| to_js(&e))?)
@@ -191,7 +184,7 @@ impl Engine {
     }
 }
 
-fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
+pub(super) fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::check_length(text)?;
     document::read(&parse(text)?)
 }

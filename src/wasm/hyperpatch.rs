@@ -108,7 +108,7 @@ impl Asking {
                 bag.doubles("contacts", &contacts.iter().flat_map(contact).collect::<Vec<_>>())?;
             }
             Answer::Sharing(parts) => shared(&bag, parts)?,
-            Answer::Grid(components) => grid(&bag, components)?,
+            Answer::Grid(found) => grid(&bag, found.components())?,
             Answer::File(bytes) => return Ok(Uint8Array::from(bytes.as_slice()).into()),
         }
         Ok(bag.0.into())
@@ -185,7 +185,7 @@ fn judged(known: &KnownBody, id: CellId, report: &Report) -> [f64; 17] {
         report.verdict as usize as f64,
         f64::from(u8::from(report.is_mirrored)),
         report.margin,
-        report.certificate.upper,
+        known.least_determinant(id, report),
         report.certificate.lower,
         kind,
         first.x,

@@ -5,6 +5,8 @@
 
 #[cfg(feature = "amounts")]
 mod amounts;
+#[cfg(feature = "edit")]
+mod edit;
 mod engine;
 mod error;
 #[cfg(feature = "explain")]

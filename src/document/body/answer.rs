@@ -3,7 +3,7 @@
 use super::{Boundary, Painted, Summary};
 use crate::hyperpatch::composite::{Body, CellId, Contact, FaceContinuity, Relation, Sharing};
 use crate::hyperpatch::validity::Report;
-use crate::hyperpatch::{Corner, Edge, Face};
+use crate::hyperpatch::{Corner, Edge, Face, Grid};
 use glam::DVec3;
 
 /// An answer to a [question](super::BodyAsk).
@@ -37,7 +37,7 @@ pub enum Answer {
     /// What cells share.
     Sharing(Box<Parts>),
     /// x, y, z and the fraction of each material on a grid; w runs fastest.
-    Grid(Vec<Vec<f32>>),
+    Grid(Grid),
     /// The bytes of a file.
     File(Vec<u8>),
 }

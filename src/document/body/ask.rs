@@ -8,7 +8,7 @@ use crate::solid::Format;
 use glam::DVec3;
 
 /// Steps of a section along each axis of a cell that is not told another number.
-const STEPS: usize = 12;
+const STEPS: usize = 8;
 
 /// Most points of a grid: 128 x 128 x 128.
 const MOST_POINTS: usize = 1 << 21;

@@ -92,6 +92,16 @@ impl KnownBody {
         &self.colors
     }
 
+    /// The least Jacobian determinant that is found for a cell on which there is a report: that of the certificate, or one of 5 x 5 x 5 places.
+    /// Of a mirrored cell it is that of the reoriented one.
+    #[must_use]
+    pub fn least_determinant(&self, id: CellId, report: &Report) -> f64 {
+        let Some(cell) = self.model.body().cell(id) else { return report.certificate.upper };
+        let sign = if report.is_mirrored { -1.0 } else { 1.0 };
+        let place = |n: usize| DVec3::new((n / 25) as f64, (n / 5 % 5) as f64, (n % 5) as f64) / 4.0;
+        (0..125).map(|n| sign * cell.net().jacobian(place(n))).fold(report.certificate.upper, f64::min)
+    }
+
     /// Length of the diagonal of the box of all control points; never zero.
     #[must_use]
     pub fn size(&self) -> f64 {

@@ -84,8 +84,8 @@ impl Body {
         self.index(id).map(|index| &self.cells[index].1)
     }
 
-    /// Adds a cell, whatever its shape: it is for [`certify`](crate::hyperpatch::validity::certify) and [`Pairs`](super::Pairs) to
-    /// say whether it is sound.
+    /// Adds a cell, whatever its shape: it is for [`certify`](crate::hyperpatch::validity::certify) and
+    /// [`Pairs`](super::Pairs) to say whether it is sound.
     ///
     /// # Errors
     /// When the body is full, or the cell has another number of materials.

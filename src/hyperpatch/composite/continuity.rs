@@ -20,14 +20,15 @@ pub enum Continuity {
     None,
     /// The 16 coefficients are equal: so is every point of the face.
     C0,
-    /// The derivatives across the face are equal as well, of parameters that run on. It is stricter than a common tangent plane.
+    /// The derivatives across the face are equal as well, of parameters that run on. It is stricter than a common
+    /// tangent plane.
     C1,
 }
 
 /// Continuity at one corner of a face: of the block of 2 x 2 coefficients that belongs to the corner.
 ///
-/// An equal block alone is contact: next to the corner the faces part with the square of the distance, unless the other blocks are
-/// equal too.
+/// An equal block alone is contact: next to the corner the faces part with the square of the distance, unless the
+/// other blocks are equal too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Match {
     /// The blocks differ.
@@ -207,8 +208,8 @@ fn inside(at: usize, face: Face) -> usize {
     if face.is_end { at - stride(face.axis) } else { at + stride(face.axis) }
 }
 
-/// Places of the 2 x 2 coefficients of a corner on a face: the corner, its neighbours along the first and the second axis of the face, and
-/// the one across.
+/// Places of the 2 x 2 coefficients of a corner on a face: the corner, its neighbours along the first and the second
+/// axis of the face, and the one across.
 fn block(face: Face, corner: Corner) -> [usize; 4] {
     let places = corner.block();
     let [first, second] = face.axis.others().map(|axis| 4 >> axis as usize);

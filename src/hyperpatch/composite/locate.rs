@@ -44,15 +44,17 @@ impl<B: Deref<Target = Body>> Probe<B> {
         self.search(point).collect()
     }
 
-    /// The place that decides the material of a point: that in the cell with the lowest identifier of those that hold it, on
-    /// inner boundaries as well as where they reach the outer one. Later deletions of other cells do not change it.
+    /// The place that decides the material of a point: that in the cell with the lowest identifier of those that hold
+    /// it, on inner boundaries as well as where they reach the outer one. Later deletions of other cells do not
+    /// change it.
     #[must_use]
     pub fn place(&self, point: DVec3) -> Option<Place> {
         self.search(point).next()
     }
 
-    /// The same place, found sooner when a point nearby was found at `last`: where the cell of that one holds the point well inside, no
-    /// other cell is asked. In bodies whose cells overlap this may be another place than that of [`Probe::place`].
+    /// The same place, found sooner when a point nearby was found at `last`: where the cell of that one holds the
+    /// point well inside, no other cell is asked. In bodies whose cells overlap this may be another place than that
+    /// of [`Probe::place`].
     #[must_use]
     pub fn place_from(&self, point: DVec3, last: Option<Place>) -> Option<Place> {
         let near = last.and_then(|last| {
@@ -112,7 +114,8 @@ mod tests {
         }
     }
 
-    /// On a face that two cells share the lower identifier decides, also at the outer boundary, and also after deletions.
+    /// On a face that two cells share the lower identifier decides, also at the outer boundary, and also after
+    /// deletions.
     #[test]
     fn the_lowest_identifier_decides_on_shared_faces() {
         let mut body = ring();

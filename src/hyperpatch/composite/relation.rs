@@ -35,8 +35,8 @@ const LEVEL: f64 = 1e-6;
 pub enum Relation {
     /// No point in common, by proof.
     Disjoint,
-    /// Exactly the faces, edges and corners of these numbers in common, by proof. Edges of the faces, and corners of either, are
-    /// not counted again.
+    /// Exactly the faces, edges and corners of these numbers in common, by proof. Edges of the faces, and corners of
+    /// either, are not counted again.
     Shares {
         /// Number of faces.
         faces: usize,
@@ -52,8 +52,8 @@ pub enum Relation {
         /// Its parameters in each cell.
         at: [DVec3; 2],
     },
-    /// They come closer than can be told, besides what they share; so do faces that share two edges at a corner, and with them the
-    /// tangent plane there, and part behind it.
+    /// They come closer than can be told, besides what they share; so do faces that share two edges at a corner, and
+    /// with them the tangent plane there, and part behind it.
     Touches {
         /// Parameters in the first cell of a place where they do.
         at: DVec3,
@@ -190,8 +190,9 @@ pub fn relate(body: &Body, first: CellId, second: CellId) -> Option<Relation> {
 
 /// Two cells on the way to their relation.
 ///
-/// Their boundaries are halved into pieces. A pair of pieces is done with when a plane separates the two, when the parts of the
-/// cells between them and what the cells share are proven to meet there alone, or when a plane touches both.
+/// Their boundaries are halved into pieces. A pair of pieces is done with when a plane separates the two, when the
+/// parts of the cells between them and what the cells share are proven to meet there alone, or when a plane touches
+/// both.
 #[derive(Debug)]
 struct Work {
     features: Vec<Feature>,
@@ -272,7 +273,8 @@ impl Work {
         {
             return Some(self.apart());
         }
-        // A point well inside one cell that is well inside the other: it finds what boundaries do not show, one cell in another.
+        // A point well inside one cell that is well inside the other: it finds what boundaries do not show, one cell
+        // in another.
         for (n, (from, to)) in [(first, second), (second, first)].into_iter().enumerate() {
             let (lo, hi) = to.bounds();
             for place in 0..9 {
@@ -327,8 +329,8 @@ impl Work {
     }
 }
 
-/// Whether a plane within the tolerance separates two pieces of the surfaces of two cells, and has the insides of the cells on
-/// its two sides. The planes of the pieces are tried, and those upright on their sides.
+/// Whether a plane within the tolerance separates two pieces of the surfaces of two cells, and has the insides of the
+/// cells on its two sides. The planes of the pieces are tried, and those upright on their sides.
 fn are_flush(sides: [(&Net, &Piece); 2], tolerance: f64) -> bool {
     let outward = sides.map(|(net, piece)| {
         let [c0, c3, c12, c15] = [0, 3, 12, 15].map(|n| piece.points[n]);

@@ -19,8 +19,8 @@ pub(super) enum Feature {
 /// A box of parameters.
 type Range = (DVec3, DVec3);
 
-/// What two cells share, by the numbers of their control points: faces, edges that are on none of these, corners that are on none
-/// of either.
+/// What two cells share, by the numbers of their control points: faces, edges that are on none of these, corners that
+/// are on none of either.
 pub(super) fn features(first: &[u32; 64], second: &[u32; 64]) -> Vec<Feature> {
     let mut found = Vec::new();
     // Most neighbours share corners; those that share none share nothing.
@@ -65,12 +65,13 @@ pub(super) fn features(first: &[u32; 64], second: &[u32; 64]) -> Vec<Feature> {
 }
 
 impl Feature {
-    /// Whether the parts of two cells on boxes of parameters, drawn out to the feature, are proven to meet in the feature alone.
+    /// Whether the parts of two cells on boxes of parameters, drawn out to the feature, are proven to meet in the
+    /// feature alone.
     ///
-    /// A point of the first part is one of the feature plus steps along derivatives that lead into the cell, and so is one of the
-    /// second. If both are one point, steps along the feature, into the first cell and out of the second sum to zero. That
-    /// is impossible when a direction has a positive product with all of them; it is looked for with each sign of the steps along the
-    /// feature, as either point may be ahead.
+    /// A point of the first part is one of the feature plus steps along derivatives that lead into the cell, and so
+    /// is one of the second. If both are one point, steps along the feature, into the first cell and out of the
+    /// second sum to zero. That is impossible when a direction has a positive product with all of them; it is looked
+    /// for with each sign of the steps along the feature, as either point may be ahead.
     pub(super) fn is_all(&self, differences: [&Differences; 2], ranges: [Range; 2]) -> bool {
         let (places, along) = self.draw_out(ranges);
         let parts = [0, 1].map(|n| differences[n].part(places[n].0, places[n].1));
@@ -112,8 +113,8 @@ impl Feature {
         }
     }
 
-    /// The boxes drawn out to the feature, over the stretch of it that either of them lies beside; and that stretch in the first
-    /// cell.
+    /// The boxes drawn out to the feature, over the stretch of it that either of them lies beside; and that stretch
+    /// in the first cell.
     fn draw_out(&self, mut ranges: [Range; 2]) -> ([Range; 2], Range) {
         match self {
             Self::Face { sides, matching } => {

@@ -116,7 +116,8 @@ impl Sharing {
         self.tolerance
     }
 
-    /// Numbers of the 64 control points of a cell: equal ones are one point. Inner control points have no number of their own.
+    /// Numbers of the 64 control points of a cell: equal ones are one point. Inner control points have no number of
+    /// their own.
     #[must_use]
     pub fn points(&self, id: CellId) -> Option<&[u32; 64]> {
         self.numbers.binary_search_by_key(&id, |(id, _)| *id).ok().map(|index| &self.numbers[index].1)

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-/// Axis-parallel boxes, each given by its lowest and highest corner, in a binary tree: halved by their middles along the longest
-/// axis until few are left.
+/// Axis-parallel boxes, each given by its lowest and highest corner, in a binary tree: halved by their middles along
+/// the longest axis until few are left.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
     nodes: Vec<Node>,

@@ -4,11 +4,11 @@ use super::{Body, CellId};
 use crate::hyperpatch::Net;
 use crate::hyperpatch::validity::{Injectivity, Report, certify};
 
-/// The job that judges cells: the certificates of each first, and then, one after the other, whether those meet themselves that the
-/// certificates leave open.
+/// The job that judges cells: the certificates of each first, and then, one after the other, whether those meet
+/// themselves that the certificates leave open.
 ///
-/// It keeps the shapes that it was made with. When one of them is edited its report is stale: the job is dropped, and a new one is
-/// made for the cells that were touched.
+/// It keeps the shapes that it was made with. When one of them is edited its report is stale: the job is dropped, and
+/// a new one is made for the cells that were touched.
 #[derive(Debug)]
 pub struct Verdicts {
     cells: Vec<(CellId, Net)>,
@@ -20,8 +20,8 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    /// The job for some cells, in this order; those that the body does not have are left out. With `is_global` false it ends with
-    /// the certificates.
+    /// The job for some cells, in this order; those that the body does not have are left out. With `is_global` false
+    /// it ends with the certificates.
     #[must_use]
     pub fn new(body: &Body, cells: impl IntoIterator<Item = CellId>, is_global: bool) -> Self {
         let find = |id: CellId| body.cell(id).map(|cell| (id, cell.net().clone()));

@@ -9,7 +9,8 @@ pub(super) struct Weld {
     tolerance: f64,
     /// A point nearby, from which cubes are counted.
     origin: DVec3,
-    /// Numbered points by the cube that they lie in; cubes are eight tolerances wide, so a point is rarely near a side of one.
+    /// Numbered points by the cube that they lie in; cubes are eight tolerances wide, so a point is rarely near a
+    /// side of one.
     cubes: HashMap<[i64; 3], Vec<u32>>,
     points: Vec<DVec3>,
 }

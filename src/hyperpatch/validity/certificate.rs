@@ -7,7 +7,8 @@ use glam::DVec3;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Width of the bounds on the least determinant, over the largest coefficient, from which on it counts as zero when it may be.
+/// Width of the bounds on the least determinant, over the largest coefficient, from which on it counts as zero when
+/// it may be.
 const FLAT: f64 = 1e-9;
 
 /// Most parts that are looked at; what is undecided then stays so. A part takes a few microseconds.
@@ -53,9 +54,9 @@ struct Part {
 impl Certificate {
     /// Decides the sign of the determinant, or of its opposite for a mirrored cell.
     ///
-    /// The parts with the least coefficients are halved first, along the axis of the largest step between coefficients. It ends when every
-    /// coefficient is positive by more than its error, when a value is negative by more than its error, or when the bounds
-    /// are within 1e-9 of the largest coefficient of each other.
+    /// The parts with the least coefficients are halved first, along the axis of the largest step between
+    /// coefficients. It ends when every coefficient is positive by more than its error, when a value is negative by
+    /// more than its error, or when the bounds are within 1e-9 of the largest coefficient of each other.
     #[must_use]
     pub fn new(jacobian: &Jacobian, is_mirrored: bool) -> Self {
         let sign = if is_mirrored { -1.0 } else { 1.0 };
@@ -122,7 +123,8 @@ impl Part {
         inner.map(|at| (self.coefficients[at + stride] - self.coefficients[at]).abs()).fold(0.0, f64::max)
     }
 
-    /// The two halves across the axis of the largest step. A mean of two coefficients is rounded once, and there are 8 in a row.
+    /// The two halves across the axis of the largest step. A mean of two coefficients is rounded once, and there are
+    /// 8 in a row.
     fn halves(&self, largest: f64) -> [Self; 2] {
         let steps = Axis::ALL.map(|axis| self.step(axis));
         let axis = Axis::ALL.into_iter().max_by(|a, b| steps[*a as usize].total_cmp(&steps[*b as usize]));
@@ -190,8 +192,9 @@ mod tests {
         }
     }
 
-    /// With f(u) of the control points 0, 1/3 + s, 2/3 - s, 1 in the middle and straight edges, J is 1 at all corners. On the line
-    /// v = w = 1/2 it is `1 + (9/16) f'` with `f' = 3 s (1 - 6 u + 6 u^2)`, least at the middle: zero for s = 32/27.
+    /// With f(u) of the control points 0, 1/3 + s, 2/3 - s, 1 in the middle and straight edges, J is 1 at all
+    /// corners. On the line v = w = 1/2 it is `1 + (9/16) f'` with `f' = 3 s (1 - 6 u + 6 u^2)`, least at the middle:
+    /// zero for s = 32/27.
     #[test]
     fn a_fold_with_good_corners_is_found_inside() {
         let critical = 32.0 / 27.0;

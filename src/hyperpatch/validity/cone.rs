@@ -3,8 +3,8 @@
 use crate::hyperpatch::{Differences, Net};
 use glam::{DMat3, DVec3};
 
-/// Margin from which the cone condition counts as met: quarter rings and twists by 90 degrees have a margin of exactly 0, which
-/// rounding moves to either side.
+/// Margin from which the cone condition counts as met: quarter rings and twists by 90 degrees have a margin of
+/// exactly 0, which rounding moves to either side.
 pub const REGULAR_MARGIN: f64 = 1e-9;
 
 /// Number of vectors of a group whose determinants are bounded together.
@@ -12,13 +12,13 @@ const GROUP: usize = 6;
 /// Number of groups of an axis.
 const GROUPS: usize = 48 / GROUP;
 
-/// How regular a cell is, from -1 to 1: the least determinant of three unit vectors, one along a difference of neighbouring
-/// control points for each axis.
+/// How regular a cell is, from -1 to 1: the least determinant of three unit vectors, one along a difference of
+/// neighbouring control points for each axis.
 ///
-/// A box has 1, a cell of a ring of n has cos(360 / n degrees), a box twisted by 90 degrees 0. Above 0 the cell is injective:
-/// two parameters `q` and `q'` differ by steps along u, v and w, and their points by `du a + dv b + dw c` with `a`, `b` and `c`
-/// means of differences of each axis. The determinant is linear in each of them, so it is positive for the means as well, and
-/// the sum is zero only where all steps are.
+/// A box has 1, a cell of a ring of n has cos(360 / n degrees), a box twisted by 90 degrees 0. Above 0 the cell is
+/// injective: two parameters `q` and `q'` differ by steps along u, v and w, and their points by `du a + dv b + dw c`
+/// with `a`, `b` and `c` means of differences of each axis. The determinant is linear in each of them, so it is
+/// positive for the means as well, and the sum is zero only where all steps are.
 #[must_use]
 pub fn margin(net: &Net) -> f64 {
     least(&net.differences(), f64::NEG_INFINITY)
@@ -30,9 +30,9 @@ pub fn is_regular(differences: &Differences) -> bool {
     is_axis_aligned(differences) || least(differences, REGULAR_MARGIN) > REGULAR_MARGIN
 }
 
-/// A condition that is quicker and stricter than the cone condition: in the frame of the mean differences, every difference along an
-/// axis is longer along that axis than along both others together. Then all determinants are those of matrices with a
-/// dominant diagonal.
+/// A condition that is quicker and stricter than the cone condition: in the frame of the mean differences, every
+/// difference along an axis is longer along that axis than along both others together. Then all determinants are
+/// those of matrices with a dominant diagonal.
 #[must_use]
 pub fn is_axis_aligned(differences: &Differences) -> bool {
     let [u, v, w] = differences.0.map(|list| list.iter().sum::<DVec3>() / 48.0);
@@ -51,8 +51,8 @@ pub fn is_axis_aligned(differences: &Differences) -> bool {
 
 /// The least determinant, or the first one found that is no greater than `enough`.
 ///
-/// The vectors of each axis go into groups of similar direction. Three groups bound their determinants together, so that most of
-/// the 110,592 need not be computed.
+/// The vectors of each axis go into groups of similar direction. Three groups bound their determinants together, so
+/// that most of the 110,592 need not be computed.
 fn least(differences: &Differences, enough: f64) -> f64 {
     let units = differences.0.map(|list| grouped(list.map(DVec3::normalize_or_zero)));
     let [u, v, w] = units.each_ref().map(|list| list.as_chunks::<GROUP>().0);
@@ -111,8 +111,9 @@ impl Group {
 
 /// Lower bounds of the determinants of each three groups, the third one fastest.
 ///
-/// The determinant of three means changes by the product of each offset with the cross product of the other two means, of which the
-/// part across the mean is small in cells that are nearly boxes, and by no more than the products of two radii.
+/// The determinant of three means changes by the product of each offset with the cross product of the other two
+/// means, of which the part across the mean is small in cells that are nearly boxes, and by no more than the products
+/// of two radii.
 fn bounds(groups_u: &[Group], groups_v: &[Group], groups_w: &[Group]) -> Vec<f64> {
     let crosses = |first: &[Group], second: &[Group]| -> Vec<DVec3> {
         first.iter().flat_map(|a| second.iter().map(move |b| a.centre.cross(b.centre))).collect()
@@ -137,8 +138,8 @@ fn bounds(groups_u: &[Group], groups_v: &[Group], groups_w: &[Group]) -> Vec<f64
     bounds
 }
 
-/// Vectors in an order in which groups of [`GROUP`] have similar directions: halved three times across the axis of the widest
-/// spread.
+/// Vectors in an order in which groups of [`GROUP`] have similar directions: halved three times across the axis of
+/// the widest spread.
 fn grouped(mut vectors: [DVec3; 48]) -> [DVec3; 48] {
     for size in [48, 24, 12] {
         for part in vectors.chunks_exact_mut(size) {

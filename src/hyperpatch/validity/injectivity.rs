@@ -42,13 +42,13 @@ pub enum Finding {
 
 /// The job that decides whether a cell with a positive (or, mirrored, a negative) determinant meets itself.
 ///
-/// A map that is continuous, locally injective in a closed cube and injective on its boundary is injective. So pairs of pieces of
-/// the six faces are looked at: a pair is done with when a plane separates the two, or when the cell meets the cone condition on the
-/// box of parameters that holds both. Others are halved.
+/// A map that is continuous, locally injective in a closed cube and injective on its boundary is injective. So pairs
+/// of pieces of the six faces are looked at: a pair is done with when a plane separates the two, or when the cell
+/// meets the cone condition on the box of parameters that holds both. Others are halved.
 ///
 /// # References
-/// G. Meisters and C. Olech, "Locally one-to-one mappings and a classical theorem on schlicht functions", *Duke Mathematical
-/// Journal* 30 (1963).
+/// G. Meisters and C. Olech, "Locally one-to-one mappings and a classical theorem on schlicht functions", *Duke
+/// Mathematical Journal* 30 (1963).
 #[derive(Debug, Clone)]
 pub struct Injectivity {
     net: Net,
@@ -127,7 +127,8 @@ impl Piece {
 }
 
 impl Injectivity {
-    /// The job for a cell, which must have a positive determinant everywhere, or a negative one everywhere when it is mirrored.
+    /// The job for a cell, which must have a positive determinant everywhere, or a negative one everywhere when it is
+    /// mirrored.
     #[must_use]
     pub fn new(net: &Net, is_mirrored: bool) -> Self {
         let differences = net.differences();
@@ -135,7 +136,8 @@ impl Injectivity {
         let pieces = Face::all().map(|face| Piece::new(net, face));
         let mut pairs: Vec<[Piece; 2]> =
             (0..6).flat_map(|a| (a..6).map(move |b| [pieces[a], pieces[b]])).collect();
-        // The last one is looked at first: ends that are one face are found at once, before their edges are searched for a gap.
+        // The last one is looked at first: ends that are one face are found at once, before their edges are searched
+        // for a gap.
         pairs.sort_by_key(|[a, b]| a.face.axis == b.face.axis && a.face != b.face);
         let (lo, hi) = net.bounds();
         let largest = lo.abs().max(hi.abs()).max_element();

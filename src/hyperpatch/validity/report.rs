@@ -9,7 +9,8 @@ use glam::DVec3;
 pub enum Verdict {
     /// The cone condition holds: the cell is injective, and its points are spread regularly.
     Regular,
-    /// The determinant is positive and the cell injective, though not regular. The paper's condition rejects such a cell (Fig. 6).
+    /// The determinant is positive and the cell injective, though not regular. The paper's condition rejects such a
+    /// cell (Fig. 6).
     Valid,
     /// The determinant is positive; whether the cell meets itself has not been decided.
     LocallyValid,
@@ -54,7 +55,8 @@ pub enum Witness {
 
 /// The verdict on a cell, with what it rests on.
 ///
-/// A mirrored cell has the verdict of its reoriented self: the one with an axis [reversed](super::super::Cell::reversed).
+/// A mirrored cell has the verdict of its reoriented self: the one with an axis
+/// [reversed](super::super::Cell::reversed).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Report {
     /// What is known.
@@ -70,7 +72,8 @@ pub struct Report {
 }
 
 impl Report {
-    /// The report after the job on injectivity: of a locally valid cell, and of the same shape, or the badge would be stale.
+    /// The report after the job on injectivity: of a locally valid cell, and of the same shape, or the badge would be
+    /// stale.
     #[must_use]
     pub fn with(self, finding: Finding) -> Self {
         match (self.verdict, finding) {

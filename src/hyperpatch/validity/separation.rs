@@ -13,11 +13,12 @@ const SINE: f64 = 1e-9;
 /// Distance of two hulls over their largest coordinate that no rounding can feign.
 const GAP: f64 = 1e-13;
 
-/// A unit vector that has a positive product with all vectors, none of which may be zero, or `None` when none was found.
+/// A unit vector that has a positive product with all vectors, none of which may be zero, or `None` when none was
+/// found.
 ///
 /// # References
-/// E. Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a convex set", *SIAM Journal on Control*
-/// 4 (1966).
+/// E. Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a convex set", *SIAM Journal
+/// on Control* 4 (1966).
 pub(in crate::hyperpatch) fn positive_direction(vectors: &[DVec3]) -> Option<DVec3> {
     let units: Vec<DVec3> = vectors.iter().map(|v| v.normalize_or_zero()).collect();
     let mut nearest = units.iter().sum::<DVec3>() / units.len() as f64;
