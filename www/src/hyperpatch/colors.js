@@ -17,11 +17,11 @@ export function viridis(share) {
 }
 
 /**
- * What the cells' least Jacobians are measured against: the mean Jacobian of a cell is its volume, as its parameters have the volume 1.
- * @param {CellVerdict} verdict
+ * The certified least Jacobian of a cell as a share of its mean, which is the volume: the parameters of a cell have the volume 1.
+ * @param {Pick<CellVerdict, "leastJacobianBound">} verdict
  * @param {number} volume of the cell
  */
-export const relativeJacobian = ({ leastJacobian }, volume) => (volume === 0 ? 0 : leastJacobian / Math.abs(volume));
+export const relativeJacobian = ({ leastJacobianBound }, volume) => (volume === 0 ? 0 : leastJacobianBound / Math.abs(volume));
 
 /**
  * Oklab of every vertex.

@@ -134,7 +134,7 @@ function cellFacts(app, known, verdict, volume) {
     h("div", { class: "body-cell-head" }, h("strong", {}, words.cells.nth(verdict.cell)), isOpen ? h("span", {}, words.cells.checking) : badge(verdict.verdict)),
     h("p", { class: "body-note" }, kind === "folded" ? words.folded : kind === "meeting" ? words.meeting : words.means[verdict.verdict]),
     fact(words.cells.margin, fixed(verdict.margin, 2), "margin"),
-    fact(words.cells.jacobian, `${fixed(relativeJacobian({ ...verdict, leastJacobian: verdict.leastJacobianBound }, volume), 2)} ${words.cells.ofMean}`, "jacobian"),
+    fact(words.cells.jacobian, `${fixed(relativeJacobian(verdict, volume), 2)} ${words.cells.ofMean}`, "jacobian"),
     fact(words.cells.volume, measure(Math.abs(volume), bodyOf(app).unit, 3), "volume"),
     ...(verdict.mirrored ? [fact(words.mirrored, "✓", "mirrored")] : []),
   ];
@@ -239,7 +239,7 @@ function materialsGroup(app, now) {
   return {
     name: "materials",
     heading: words.groups.materials,
-    body: list,
+    body: h("div", {}, list),
     phrase: () => words.materials.phrase(bodyOf(app).materials.length),
     render() {
       const { known } = now();

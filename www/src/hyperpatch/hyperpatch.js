@@ -42,6 +42,8 @@ import { words } from "./words.js";
 
 /** A step of the section plane by keys, as a share of its way. */
 const STEP = 0.01;
+/** How far inside what is kept the face of a cut is found, as a share of its way: a plane that lies in faces of cells has no face of its own. */
+const INSIDE = 1e-6;
 /** CSS pixels at the upper edge that stay free. */
 const TOP = 16;
 
@@ -174,9 +176,9 @@ function openWorkbench(app) {
     },
   });
 
-  /** One section at a time, the newest wanted next. @type {Lane<{plane: Plane, of: Known}, BodySection>} */
+  /** One section at a time, the newest wanted next. @type {Lane<{plane: Plane, of: Known, by: number}, BodySection>} */
   const sections = new Lane({
-    work: ({ plane, of }, signal) => of.body.section({ normal: plane.normal, offset: plane.offset }, {}, { signal }),
+    work: ({ plane, of, by }, signal) => of.body.section({ normal: plane.normal, offset: plane.offset + by }, {}, { signal }),
     done(section, { plane, of }) {
       if (of.surface !== known?.surface || shown.section.axis === "off") return;
       area = section.area;
@@ -263,7 +265,7 @@ function openWorkbench(app) {
     cutKey = key;
     if (found && known) {
       view?.frame(shown.section.axis === "view" ? null : found.plane);
-      sections.push({ plane: found.plane, of: known });
+      sections.push({ plane: found.plane, of: known, by: INSIDE * (found.extent[1] - found.extent[0]) });
       return;
     }
     faceOf = null;
