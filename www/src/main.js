@@ -10,7 +10,6 @@ import { explain } from "./explain.js";
 import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
-import { listenToDrop } from "./frame/drop.js";
 import { openGallery } from "./frame/gallery.js";
 import { createSheet } from "./frame/sheet.js";
 import { listenToShortcuts } from "./frame/shortcuts.js";
@@ -19,7 +18,6 @@ import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
 import { workbenchOf } from "./frame/workbench.js";
 import { firstPreset } from "./gallery/first.js";
-import { listenToPaste } from "./import/paste.js";
 import { isBody } from "./hyperpatch/kind.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { later } from "./later.js";
@@ -32,7 +30,6 @@ import { createMorph } from "./stage/morph.js";
 import { listenToPointer } from "./stage/pointer.js";
 import { createProbe } from "./stage/probe.js";
 import { createReading } from "./stage/reading.js";
-import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
@@ -202,8 +199,6 @@ function run(app) {
     ),
   ];
   listenToShortcuts(app, { togglePlay: () => curves?.toggle(), choose: bar.choose });
-  listenToDrop(app);
-  listenToPaste(app);
   followSystem(app);
   keep(app);
 
@@ -291,7 +286,7 @@ function createCurves(app, choose) {
     later(app, ({ probe }) => probe !== null, () =>
       import("./stage/probe-card.js").then(({ createProbeCard }) => createProbeCard),
     ),
-    createWitness(app),
+    later(app, ({ witness }) => witness !== null, () => import("./stage/witness-mark.js").then(({ createWitness }) => createWitness)),
     later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
       import("./lines/lines.js").then(({ createLines }) => createLines),
     ),

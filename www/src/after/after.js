@@ -1,17 +1,21 @@
 /**
- * What the page fetches once its first figure is there: the switch of modes, the result in words, the styles of forced colours and small
+ * What the page fetches once its first figure is there: the switch of modes, files that are dropped or pasted, the result in words, the styles of forced colours and small
  * windows, and what lets it work without a network.
  *
  * @import { App } from "../state/app.js"
  */
 import "../../styles/access.css";
+import { listenToDrop } from "../frame/drop.js";
 import { isBody } from "../hyperpatch/kind.js";
+import { listenToPaste } from "../import/paste.js";
 import { createModes } from "../modes/modes.js";
 import { whenAtRest } from "../offline/rest.js";
 import { createOutcome } from "./outcome.js";
 
 /** @param {App} app */
 export function createAfter(app) {
+  listenToDrop(app);
+  listenToPaste(app);
   const modes = createModes(app);
   const outcome = createOutcome(app);
   whenAtRest(async () => (await import("../offline/offline.js")).startOffline(app));

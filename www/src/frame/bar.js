@@ -35,7 +35,7 @@ export function createBar(app) {
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
   const curves = h("a", { href: "#stage" }, words.curves);
-  const bodies = h("a", { href: "#v=1&preset=hyperpatch-ring", "data-bench": "hyperpatch" }, words.bodies);
+  const bodies = h("a", { href: "#stage", "data-bench": "hyperpatch" }, words.bodies);
   const lessons = h("a", { href: "#lesson" }, words.lessons);
   const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
   const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
@@ -63,16 +63,10 @@ export function createBar(app) {
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
 
-  const benches = () => import("../hyperpatch/benches.js");
-  curves.addEventListener("click", () => void (isBody(app.store.document) && benches().then(({ toCurves }) => toCurves(app))));
-  bodies.addEventListener("click", (event) => {
-    event.preventDefault();
-    void benches().then(({ toBodies }) => toBodies(app));
-  });
-  const openExport = () =>
-    void (isBody(app.store.document)
-      ? import("../hyperpatch/export.js").then(({ showBodyExport }) => showBodyExport(app))
-      : import("./export-panel.js").then(({ showExport }) => showExport(app)));
+  for (const bench of [curves, bodies]) {
+    bench.addEventListener("click", () => void import("../hyperpatch/benches.js").then(({ enter }) => enter(app, bench === bodies)));
+  }
+  const openExport = () => void import("./export-panel.js").then(({ showExport }) => showExport(app));
   exporting.addEventListener("click", openExport);
   attachMenu(file, () => fileItems(app, choose));
   attachMenu(

@@ -16,10 +16,13 @@ import { bodies } from "./presets.js";
 /** What was open last, of bodies and of curves. @type {{body: Left | null, curves: Left | null}} */
 const left = { body: null, curves: null };
 
+/** @param {App} app @param {boolean} wantsBody */
+export async function enter(app, wantsBody) {
+  if (isBody(app.store.document) !== wantsBody) await (wantsBody ? toBodies(app) : toCurves(app));
+}
+
 /** @param {App} app */
-export async function toBodies(app) {
-  if (app.ui.value.workbench === "lessons") location.hash = "#stage";
-  if (isBody(app.store.document)) return;
+async function toBodies(app) {
   leave(app, "curves");
   if (left.body) {
     app.ui.set({ mode: "figure", playing: false });
@@ -30,7 +33,7 @@ export async function toBodies(app) {
 }
 
 /** @param {App} app */
-export async function toCurves(app) {
+async function toCurves(app) {
   leave(app, "body");
   if (left.curves) {
     goOn(app, left.curves);
