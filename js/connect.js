@@ -1,7 +1,5 @@
-import { inNames, methods } from "./body.js";
 import { DirectrixError } from "./errors.js";
 import { FUNCTIONS } from "./functions.js";
-import { toText } from "./text.js";
 
 /** @typedef {(typeof FUNCTIONS)[number]} Name */
 /** @typedef {typeof Worker} WorkerClass */
@@ -26,34 +24,16 @@ export async function connect(options = {}) {
   const functions = FUNCTIONS.map((name) => [name, (/** @type {any[]} */ ...args) => client.call(name, args)]);
   return {
     .../** @type {any} */ (Object.fromEntries(functions)),
-    hyperpatch: (/** @type {any} */ document, /** @type {any} */ control) => body(client, document, control),
+    hyperpatch: async (/** @type {any} */ document, /** @type {any} */ control) => {
+      const { body } = await import("./remote-body.js");
+      return body((args) => client.call("hyperpatch", args), document, control);
+    },
     close: () => client.close(),
     runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {
       client.onrestart = listener;
     },
   };
-}
-
-/**
- * A body whose questions the worker answers. They carry the text of the document, so that a worker that was restarted answers them as well.
- *
- * @param {Client} client
- * @param {import("./directrix.js").HyperpatchDocument | string} document
- * @param {import("./directrix.js").Control} [control]
- * @returns {Promise<import("./directrix.js").RemoteHyperpatch>}
- */
-async function body(client, document, control) {
-  const text = toText(document);
-  const call = (/** @type {string} */ question, /** @type {object} */ rest, /** @type {unknown[]} */ last) =>
-    client.call("hyperpatch", [text, { question, rest }, ...last]);
-  const cells = await call("cells", {}, control ? [control] : []);
-  const ask = (/** @type {import("./body.js").Question} */ question, /** @type {any[]} */ args) => {
-    const last = args.at(-1);
-    const own = typeof last === "object" && last !== null && isControl(last) ? 1 : 0;
-    return call(question, inNames(question, args.slice(0, args.length - own)), args.slice(args.length - own));
-  };
-  return { cells, ...methods(ask) };
 }
 
 /**
@@ -210,7 +190,7 @@ class Client {
 }
 
 /** @param {object} value */
-function isControl(value) {
+export function isControl(value) {
   return "signal" in value || "onprogress" in value || "onsolved" in value;
 }
 

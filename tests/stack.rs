@@ -469,3 +469,52 @@ fn every_layer_of_a_stack_is_drawn() {
         assert!(lines.iter().all(|line| line.closed));
     }
 }
+
+/// A linear stack encloses what its pairs enclose, cut apart at the inner curves; a cubic one what its own profile does.
+#[cfg(feature = "solid")]
+#[test]
+fn solids_of_stacks_are_closed_and_hold_the_right_volume() {
+    use directrix::document::{SolidJob, SolidOptions};
+    use std::rc::Rc;
+    let options =
+        |text: &str| SolidOptions::read(&Json::parse(text).expect("JSON"), 4).expect("valid options");
+    let solid = |document: &Value, text: &str| {
+        let found = SolidJob::run(Rc::new(solve(document)), options(text)).expect("within the limits");
+        found.expect("a solid")
+    };
+    let curves =
+        || vec![ring(20.0, 48, 0.0), ring(30.0, 48, 15.0), ring(24.0, 48, 32.0), ring(12.0, 48, 45.0)];
+    let whole = solid(&stack(curves(), "ruled"), "{}");
+    assert!(whole.is_watertight && whole.remarks.is_empty(), "{:?}", whole.remarks);
+    let parts: f64 = curves()
+        .windows(2)
+        .map(|pair| solid(&stack(pair.to_vec(), "ruled"), "{}").volume.expect("a closed mesh"))
+        .sum();
+    let volume = whole.volume.expect("a closed mesh");
+    assert!((volume / parts - 1.0).abs() < 1e-3, "{volume} {parts}");
+
+    let document = stack(curves(), "cubic");
+    let cubic = solid(&document, r#"{"stages": 40}"#);
+    assert!(cubic.is_watertight, "{:?}", cubic.remarks);
+    // The radius of the first strand over its height, by the rows of the blend.
+    let solution = solve(&document);
+    let rows = blend(&solution).rows(400);
+    let slices = rows.windows(2).map(|pair| {
+        let [a, b] = [&pair[0], &pair[1]].map(|row| (row.points[0].truncate().length(), row.points[0].z));
+        std::f64::consts::PI * (b.1 - a.1) * (a.0 * a.0 + a.0 * b.0 + b.0 * b.0) / 3.0
+    });
+    let expected: f64 = slices.sum();
+    assert!(
+        (cubic.volume.expect("a closed mesh") / expected - 1.0).abs() < 2e-3,
+        "{:?} {expected}",
+        cubic.volume
+    );
+    assert!(cubic.volume > whole.volume, "the belly bulges");
+    assert_eq!(cubic.stages.len(), 121);
+
+    // Angles belong to the span of a row; there is no solid in the plane.
+    let angled = solid(&document, r#"{"color": "twist"}"#);
+    assert_eq!(angled.mesh.scalars.len(), angled.mesh.positions.len());
+    let flat = stack(vec![ring(10.0, 8, 0.0), ring(20.0, 8, 0.0), ring(30.0, 8, 0.0)], "ruled");
+    assert!(SolidJob::run(Rc::new(solve(&flat)), options("{}")).expect("within the limits").is_none());
+}

@@ -8,6 +8,7 @@ import { attribute, write } from "./dom.js";
 import { createFrame } from "./frame.js";
 import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
+import { isInSpace } from "./in-space.js";
 import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
 import { observe, observeSize } from "./observe.js";
@@ -224,7 +225,7 @@ export class DirectrixFigure extends Base {
   }
 
   get #hasHandles() {
-    return this.#choice("controls") === "full";
+    return this.#choice("controls") === "full" && !isInSpace(this.#scene.document);
   }
 
   /** Whether anybody can see it. */

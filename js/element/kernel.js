@@ -73,6 +73,9 @@ function fuller(old) {
   return started();
 }
 
+/** Whether the kernel has all that the package computes. */
+export const isWhole = () => module === "full";
+
 /** A figure is there that may need the kernel. */
 export function use() {
   users += 1;

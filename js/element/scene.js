@@ -9,7 +9,8 @@
 import { DirectrixError } from "../errors.js";
 import { toText } from "../text.js";
 import { stepsOf } from "./growth.js";
-import { Lane } from "./kernel.js";
+import { isInSpace } from "./in-space.js";
+import { isWhole, Lane } from "./kernel.js";
 import { fitting, toScreen } from "./plane.js";
 import { summary } from "./result.js";
 
@@ -27,6 +28,14 @@ const CROWDED = 480;
 /** Room round the curves in CSS pixels, and with control points. */
 const MARGIN = 12;
 const MARGIN_OF_HANDLES = 24;
+
+/**
+ * Whether an error says what is wrong with a document; what the module `figure` does not compute goes to `full`.
+ *
+ * @param {unknown} error
+ * @returns {error is DirectrixError}
+ */
+const isOfDocument = (error) => error instanceof DirectrixError && error.code !== "not-in-module";
 
 /**
  * @typedef {object} Host
@@ -233,6 +242,7 @@ export class Scene {
     const incoming = this.#incoming;
     if (!incoming) return;
     const { text, document } = incoming;
+    if (isInSpace(document) && !isWhole()) throw new DirectrixError("not-in-module", "curves", "curves in space are read by the module \"full\"");
     try {
       const completed = await kernel.call("defaults", [text], { ...control });
       const match = await kernel.call("match", [text, {}], { ...control });
@@ -248,7 +258,7 @@ export class Scene {
       this.#fit();
       this.#news = "load";
     } catch (error) {
-      if (control.signal?.aborted || !(error instanceof DirectrixError)) throw error;
+      if (control.signal?.aborted || !isOfDocument(error)) throw error;
       this.#host.onproblem("document", error);
     }
     if (this.#incoming === incoming) this.#incoming = null;
@@ -262,9 +272,7 @@ export class Scene {
       this.#accept(document, match);
       if (isNew) this.#news ??= "edit";
     } catch (error) {
-      // The module `full` gets what `figure` does not compute.
-      const isOurs = error instanceof DirectrixError && error.code !== "not-in-module";
-      if (control.signal?.aborted || !isOurs) throw error;
+      if (control.signal?.aborted || !isOfDocument(error)) throw error;
       [this.#match, this.#matched, this.result] = [null, document, null];
       if (isNew) this.#host.onproblem("edit", error);
     }

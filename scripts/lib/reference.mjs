@@ -45,7 +45,7 @@ export async function reference(dx) {
 }
 
 /**
- * The presets of two curves with the method whose lines the tables count.
+ * The presets of two plane curves with the method whose lines the tables count.
  *
  * @returns {Promise<Preset[]>}
  */
@@ -58,8 +58,8 @@ async function readPresets() {
     return { ...document, matching: { ...document.matching, method: "greedy", oneToOne: false } };
   };
   const presets = await Promise.all(index.map(async (preset) => ({ ...preset, document: await grown(preset.id) })));
-  // Methods are compared on pairs; a stack is several of them.
-  return presets.filter(({ document }) => document.curves.length === 2);
+  // Methods are compared on pairs; a stack is several of them, and of curves in space they see a projection.
+  return presets.filter(({ document: { curves } }) => curves.length === 2 && curves[0].points[0].length === 2);
 }
 
 /** @param {Preset[]} presets */

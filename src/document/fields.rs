@@ -77,9 +77,8 @@ fn curves(list: &Node<'_>, materials: usize) -> Read<Vec<CurveSpec>> {
     let items = list.items()?;
     list.check_count(items.len(), " curves", 0..=MOST_CURVES)?;
     if cfg!(not(feature = "stack")) && items.len() > 2 {
-        let message =
-            format!("{} curves were found; stacks of more than 2 need the module \"full\"", items.len());
-        return Err(list.error(Code::NotInModule, message));
+        let message = "stacks of more than 2 curves need the module \"full\"";
+        return Err(list.error(Code::NotInModule, message.to_owned()));
     }
     let mut curves = Vec::with_capacity(items.len());
     for (number, item) in items.iter().enumerate() {

@@ -309,7 +309,7 @@ mod tests {
     fn wrong_documents_are_refused_with_the_path() {
         let first = "operations[0].cells[0].coefficients";
         expect(Code::Version, "directrix", |d| d["directrix"] = json!(2));
-        expect(Code::Range, "kind", |d| d["kind"] = json!("curves"));
+        expect(Code::Kind, "kind", |d| d["kind"] = json!("curves"));
         expect(Code::Missing, "operations", |d| {
             d.as_object_mut().unwrap().remove("operations");
         });

@@ -6,9 +6,9 @@
 
 #[cfg(feature = "amounts")]
 mod amounts;
-mod control_points;
 #[cfg(feature = "hyperpatch")]
 mod body;
+mod control_points;
 mod diagnostic;
 mod direction;
 mod error;
@@ -43,12 +43,12 @@ mod work;
 
 #[cfg(feature = "amounts")]
 pub use amounts::{BandAmounts, amounts};
-pub use control_points::ControlPoints;
 #[cfg(feature = "hyperpatch")]
 pub use body::{
-    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, Held, KnownBody, Painted, Parts, Sample, SharedParts,
-    Stretch, Summary,
+    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, Held, KnownBody, Painted, Parts,
+    Sample, SharedParts, Stretch, Summary,
 };
+pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;

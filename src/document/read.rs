@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn other_kinds_and_long_texts_are_refused() {
         expect(Code::NotYet, "kind", |d| d["kind"] = json!("part"));
-        expect(Code::NotYet, "kind", |d| d["kind"] = json!("hyperpatch"));
+        expect(Code::Kind, "kind", |d| d["kind"] = json!("hyperpatch"));
         expect(Code::Range, "kind", |d| d["kind"] = json!("mesh"));
         let error = read_text(&" ".repeat(LONGEST_TEXT + 1)).expect_err("refused");
         assert_eq!(error.code, Code::Limit);

@@ -142,6 +142,12 @@ pub fn why_no_solid(solution: &Solution) -> DocumentError {
         Some(SolidRemark::Flat { height: None }) => "curves[1].points",
         Some(_) => "curves[1].height",
     };
+    let model = &solution.model;
+    if flat.is_none() && model.curves().len() > 2 && solution.is_complete() && model.projection().is_some() {
+        let message =
+            "a solid of more than two curves needs plane curves; give points x and y, and curves heights";
+        return DocumentError::new(Code::NoSolid, "curves[0].points", message);
+    }
     let reason = || solution.diagnostics.last().map(ToString::to_string);
     let message = flat.map(|flat| flat.to_string()).or_else(reason);
     let message = message.unwrap_or_else(|| "the matching is not complete".to_owned());

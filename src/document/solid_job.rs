@@ -6,9 +6,12 @@ use super::space::Space;
 use super::{Code, DocumentError, Model, Solution};
 use crate::curve::BSpline;
 use crate::material::{Color, Oklab, mix_fractions, viridis};
+#[cfg(feature = "stack")]
+use crate::morph::{self, StackBlend};
 use crate::morph::{Band, Ruling};
 use crate::solid::{
-    CapError, Mesh, Row, Shell, Shelled, area, flank_angle, is_watertight, stored_volume, twist_angle, volume,
+    CapError, Mesh, Part, Row, Shell, Shelled, area, flank_angle, is_watertight, stored_volume, twist_angle,
+    volume,
 };
 use glam::DVec3;
 use std::rc::Rc;
@@ -34,14 +37,23 @@ pub struct SolidJob {
     solution: Rc<Solution>,
     options: SolidOptions,
     space: Space,
-    /// Rulings of the surface.
-    band: Band,
-    /// Number of steps from curve to curve.
+    surface: Surface,
+    /// Number of steps from the first curve to the last.
     segments: usize,
-    /// The angle of each ruling, where one is shown.
-    scalars: Vec<f64>,
+    /// The angle of each ruling, where one is shown; of a stack, of each span.
+    scalars: Vec<Vec<f64>>,
     stages: Vec<Vec<DVec3>>,
     work: Work,
+}
+
+/// What carries the surface.
+#[derive(Debug)]
+enum Surface {
+    /// The rulings between two curves.
+    Band(Band),
+    /// The strands through a stack, and the number of stages of each span.
+    #[cfg(feature = "stack")]
+    Stack(Box<StackBlend>, usize),
 }
 
 /// What is done next.
@@ -56,30 +68,44 @@ enum Work {
 
 impl SolidJob {
     /// Prepares the solid of a solution, or the sheet between open curves. `Ok(None)` unless the matching is complete, or was repaired, and the
-    /// heights differ; [`flat`](super::flat) tells the latter.
+    /// heights differ; [`flat`](super::flat) tells the latter. Stages of a stack are counted from each curve to the next; there is no solid of a stack of
+    /// curves in space.
     ///
     /// # Errors
     /// With code `limit` when the surface would have more than [`MOST_VERTICES`].
     pub fn new(solution: Rc<Solution>, options: SolidOptions) -> Result<Option<Self>, DocumentError> {
         let model = &solution.model;
-        let Some(((curves, _), known)) = model.pair().zip(solution.band()) else { return Ok(None) };
         let Some(space) = Space::of(model).filter(|space| !space.is_flat()) else { return Ok(None) };
-        let segments = options.stages.unwrap_or_else(|| model.document().segments());
-        let band = with_corners(model, curves, known);
-        let count = band.rulings().len();
+        let stages = options.stages.unwrap_or_else(|| model.document().segments());
+        let (surface, scalars, segments) = match model.pair().zip(solution.band()) {
+            Some(((curves, _), known)) => {
+                let band = with_corners(model, curves, known);
+                let angles = angles(model, band.rulings(), &space, options.color, 0);
+                (Surface::Band(band), vec![angles], stages)
+            }
+            #[cfg(feature = "stack")]
+            None if space.is_plane() => match surface_of_stack(&solution, &space, options.color, stages) {
+                Some((surface, scalars)) => {
+                    let spans = scalars.len();
+                    (surface, scalars, stages * spans)
+                }
+                None => return Ok(None),
+            },
+            None => return Ok(None),
+        };
+        let count = surface.rulings();
         if count * (segments + 1) > MOST_VERTICES {
-            let most = (MOST_VERTICES / count).saturating_sub(1);
+            let most = (MOST_VERTICES / count).saturating_sub(1) * stages / segments;
             let message = format!(
-                "{segments} stages of {count} rulings were found; expected at most {most} stages, which have {MOST_VERTICES} vertices"
+                "{stages} stages of {count} rulings were found; expected at most {most} stages, which have {MOST_VERTICES} vertices"
             );
             return Err(DocumentError::new(Code::Limit, "options.stages", message));
         }
-        let scalars = angles(model, &band, &space, options.color);
         let [x, y, _] = space.axes();
-        let shell = Shell::new(band.is_closed(), model.materials().len(), [x, y]);
+        let shell = Shell::new(surface.is_closed(), model.materials().len(), [x, y]);
         let stages = Vec::with_capacity(segments + 1);
         let work = Work::Rows(shell);
-        Ok(Some(Self { options, space, band, segments, scalars, stages, work, solution }))
+        Ok(Some(Self { options, space, surface, segments, scalars, stages, work, solution }))
     }
 
     /// Advances while `may_go_on` says so, at least by a little; returns the solid when it is built, and `None` ever after.
@@ -128,21 +154,62 @@ impl SolidJob {
 
     /// The polyline across all rulings at the next stage.
     fn add_row(&mut self, shell: &mut Shell) {
-        let s = self.stages.len() as f64 / self.segments as f64;
-        let rulings = self.band.rulings();
-        let points = rulings.iter().map(|ruling| {
-            let [from, to] = self.space.ends(ruling);
-            from.lerp(to, s)
-        });
-        let compositions = rulings.iter().map(|ruling| ruling.composition(s));
-        let row = Row { points: points.collect(), compositions: compositions.collect() };
-        shell.push(&row, &self.scalars);
+        let stage = self.stages.len();
+        let (row, span) = match &self.surface {
+            Surface::Band(band) => {
+                let s = stage as f64 / self.segments as f64;
+                let rulings = band.rulings();
+                let points = rulings.iter().map(|ruling| {
+                    let [from, to] = self.space.ends(ruling);
+                    from.lerp(to, s)
+                });
+                let compositions = rulings.iter().map(|ruling| ruling.composition(s));
+                (Row { points: points.collect(), compositions: compositions.collect() }, 0)
+            }
+            #[cfg(feature = "stack")]
+            Surface::Stack(blend, stages) => {
+                let span = (stage / stages).min(blend.spans() - 1);
+                let morph::Row { points, compositions } =
+                    blend.row(span, (stage - span * stages) as f64 / *stages as f64);
+                (Row { points, compositions }, span)
+            }
+        };
+        shell.push(&row, &self.scalars[span]);
         self.stages.push(row.points);
     }
 
-    fn color(&mut self, Shelled { mesh, uncapped }: Shelled, volume: Option<f64>) -> Solid {
+    /// The ruling lines of the matching, of a cubic stack piece by piece.
+    fn rulings(&self) -> Vec<[DVec3; 2]> {
+        match &self.surface {
+            Surface::Band(_) => {
+                let lines = self.solution.band().map_or_else(Vec::new, |band| band.lines().collect());
+                lines.into_iter().map(|ruling| self.space.ends(ruling)).collect()
+            }
+            #[cfg(feature = "stack")]
+            Surface::Stack(blend, _) => {
+                let on_span = |span: usize| {
+                    let lines = blend.lines(span).into_iter();
+                    lines.flat_map(move |line| {
+                        let last = (line.len() - 1) as f64;
+                        let place = |k: usize| self.space.at(line[k], blend.height(span, k as f64 / last));
+                        (1..line.len()).map(|k| [place(k - 1), place(k)]).collect::<Vec<_>>()
+                    })
+                };
+                (0..blend.spans()).flat_map(on_span).collect()
+            }
+        }
+    }
+
+    fn color(&mut self, Shelled { mut mesh, uncapped }: Shelled, volume: Option<f64>) -> Solid {
         let model = &self.solution.model;
-        let is_closed = self.band.is_closed();
+        let is_closed = self.surface.is_closed();
+        // The second rim is that of the last curve.
+        let last = model.curves().len() - 1;
+        for group in &mut mesh.groups {
+            if let Part::Cap(curve @ 1..) = &mut group.part {
+                *curve = last;
+            }
+        }
         let mut remarks: Vec<SolidRemark> = uncapped
             .iter()
             .enumerate()
@@ -151,7 +218,7 @@ impl SolidJob {
                     CapError::Crossing { at } => Some(at),
                     CapError::Empty => None,
                 };
-                Some(SolidRemark::Uncapped { curve, at })
+                Some(SolidRemark::Uncapped { curve: curve * last, at })
             })
             .collect();
         if !is_closed {
@@ -168,12 +235,11 @@ impl SolidJob {
             let vertices = curve.flatten(tolerance);
             vertices.into_iter().map(|(u, point)| self.space.point(k, u, point)).collect()
         };
-        let lines = self.solution.band().map_or_else(Vec::new, |band| band.lines().collect());
         Solid {
             colors: colors(model, &mesh, self.options.color, range),
             area: area(&mesh),
             volume,
-            rulings: lines.into_iter().map(|ruling| self.space.ends(ruling)).collect(),
+            rulings: self.rulings(),
             curves: model.curves().iter().enumerate().map(outline).collect(),
             mesh,
             range,
@@ -184,6 +250,44 @@ impl SolidJob {
             remarks,
         }
     }
+}
+
+impl Surface {
+    /// Number of rulings, which is that of the vertices of a row.
+    fn rulings(&self) -> usize {
+        match self {
+            Self::Band(band) => band.rulings().len(),
+            #[cfg(feature = "stack")]
+            Self::Stack(blend, _) => blend.strands().count(),
+        }
+    }
+
+    fn is_closed(&self) -> bool {
+        match self {
+            Self::Band(band) => band.is_closed(),
+            #[cfg(feature = "stack")]
+            Self::Stack(blend, _) => blend.is_closed(),
+        }
+    }
+}
+
+/// The strands of a stack with a blend, and the angles of every span where they are shown: between straight rulings from curve to curve.
+#[cfg(feature = "stack")]
+fn surface_of_stack(
+    solution: &Solution,
+    space: &Space,
+    color: SolidColor,
+    stages: usize,
+) -> Option<(Surface, Vec<Vec<f64>>)> {
+    let (model, stack) = (&solution.model, solution.stack()?);
+    let threads = stack.blend.as_ref()?.threads().count();
+    let blend = stack.blend_with(model, RULINGS.div_ceil(threads.max(1)).clamp(1, 32))?;
+    let of_span = |span: usize| {
+        let strip = blend.strip(span, 0.0, 1.0);
+        angles(model, strip.rulings(), space, color, span)
+    };
+    let scalars = (0..blend.spans()).map(of_span).collect();
+    Some((Surface::Stack(Box::new(blend), stages), scalars))
 }
 
 /// A band with enough rulings for a smooth surface, and one at each corner of either curve.
@@ -215,19 +319,20 @@ fn with_corners(model: &Model, curves: &[BSpline; 2], band: &Band) -> Band {
     Band::new(curves, &places, |curve, u| model.composition(curve, u), 1)
 }
 
-/// The angle of each ruling where one is to be shown, else none at all.
-fn angles(model: &Model, band: &Band, space: &Space, color: SolidColor) -> Vec<f64> {
+/// The angle of each ruling of a span where one is to be shown, else none at all.
+fn angles(model: &Model, rulings: &[Ruling], space: &Space, color: SolidColor, span: usize) -> Vec<f64> {
     let [.., axis] = space.axes();
     let angle = |ruling: &Ruling| {
-        let tangents = [space.tangent(model, 0, ruling.u), space.tangent(model, 1, ruling.v)];
+        let tangents = [space.tangent(model, span, ruling.u), space.tangent(model, span + 1, ruling.v)];
         if color == SolidColor::Twist {
             return twist_angle(tangents, axis);
         }
-        let [from, to] = space.ends(ruling);
+        let [from, to] =
+            [space.point(span, ruling.u, ruling.from), space.point(span + 1, ruling.v, ruling.to)];
         flank_angle(tangents, to - from)
     };
     match color {
-        SolidColor::Twist | SolidColor::Flank => band.rulings().iter().map(angle).collect(),
+        SolidColor::Twist | SolidColor::Flank => rulings.iter().map(angle).collect(),
         SolidColor::Material | SolidColor::Fraction(_) => Vec::new(),
     }
 }

@@ -17,21 +17,22 @@ const THINNEST: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Space {
     axes: [DVec3; 3],
-    heights: [f64; 2],
+    heights: Vec<f64>,
     /// Heights along the curves, as the first coordinate, of those that do not lie in a plane.
-    rises: Option<[BSpline; 2]>,
+    rises: Option<Vec<BSpline>>,
     /// Whether all lies in one plane.
     is_flat: bool,
 }
 
 impl Space {
-    /// That of a model with two curves.
+    /// That of a model with two curves or more.
     pub(super) fn of(model: &Model) -> Option<Self> {
-        let [first, second] = model.document().curves.as_slice() else { return None };
-        let heights = [first.height, second.height];
+        let heights: Vec<f64> = model.document().curves.iter().map(|curve| curve.height).collect();
+        let [first, _, ..] = heights[..] else { return None };
+        let farthest = heights.iter().fold(0.0_f64, |most, height| most.max((height - first).abs()));
         let Some(projection) = model.projection() else {
             let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-            return Some(Self { axes, heights, rises: None, is_flat: heights[0] == heights[1] });
+            return Some(Self { axes, heights, rises: None, is_flat: farthest == 0.0 });
         };
         let rise = |k: usize| {
             let drawn = drawn_curve(&model.document().curves[k], k).ok()?;
@@ -39,8 +40,9 @@ impl Space {
             Some(if model.reversed()[k] { rise.reversed() } else { rise })
         };
         let thinnest = THINNEST * model.bounds().diagonal();
-        let is_flat = model.gap() <= thinnest && projection.deviation <= thinnest;
-        Some(Self { axes: projection.axes, heights, rises: Some([rise(0)?, rise(1)?]), is_flat })
+        let is_flat = farthest <= thinnest && projection.deviation <= thinnest;
+        let rises = (0..heights.len()).map(rise).collect::<Option<_>>()?;
+        Some(Self { axes: projection.axes, heights, rises: Some(rises), is_flat })
     }
 
     /// Whether all lies in one plane, so that there is no solid.
@@ -69,6 +71,12 @@ impl Space {
         (velocity(u - step) + velocity(u + step)).normalize_or(self.at(forward, 0.0))
     }
 
+    /// Whether the curves lie in planes across the normal.
+    #[cfg(feature = "stack")]
+    pub(super) fn is_plane(&self) -> bool {
+        self.rises.is_none()
+    }
+
     /// Axes of the plane, and its normal.
     pub(super) fn axes(&self) -> [DVec3; 3] {
         self.axes
@@ -79,7 +87,8 @@ impl Space {
         [self.point(0, ruling.u, ruling.from), self.point(1, ruling.v, ruling.to)]
     }
 
-    fn at(&self, planar: DVec2, height: f64) -> DVec3 {
+    /// A point of the plane at a height above it.
+    pub(super) fn at(&self, planar: DVec2, height: f64) -> DVec3 {
         let [x, y, normal] = self.axes;
         x * planar.x + y * planar.y + normal * height
     }

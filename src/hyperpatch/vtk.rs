@@ -178,3 +178,48 @@ fn escaped(name: &str, number: usize) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_cells::{random_net, ring_cell};
+    use super::super::{Axis, Cell, Corner};
+    use super::*;
+    use crate::material::Composition;
+
+    fn file(body: &Body) -> String {
+        let mut job = VtkJob::new(body, &["a<b".to_owned()]);
+        loop {
+            if let Some(bytes) = job.step(&mut || false) {
+                return String::from_utf8(bytes).unwrap();
+            }
+        }
+    }
+
+    #[test]
+    fn every_point_has_a_place_of_its_own() {
+        let mut places = order();
+        places.sort_unstable();
+        assert!(places.iter().enumerate().all(|(n, place)| *place == [n / 16, n / 4 % 4, n % 4]));
+    }
+
+    /// The corners of the cells, first of all, are those of a linear hexahedron: two quadrilaterals, counter-clockwise from above.
+    #[test]
+    fn cells_begin_with_their_corners_the_right_way_round() {
+        let mixes = Corner::all().map(|corner| Composition::pure(usize::from(corner.0[2]), 2));
+        let mut body = Body::new(2);
+        for net in [random_net(3, 0.1), random_net(4, 0.1).reversed(Axis::V), ring_cell(8, 1, 1.0, 2.0, 1.0)]
+        {
+            body.add(Cell::with_corner_mixes(net, &mixes).unwrap()).unwrap();
+        }
+        let text = file(&body);
+        let points = text.split("Name=\"Points\"").nth(1).and_then(|rest| rest.split('>').nth(1)).unwrap();
+        let numbers: Vec<f64> = points.split_whitespace().map_while(|number| number.parse().ok()).collect();
+        assert_eq!(numbers.len(), 3 * 64 * 3);
+        for cell in numbers.chunks_exact(3 * 64) {
+            let point = |n: usize| DVec3::from_slice(&cell[3 * n..]);
+            let (along, across, up) = (point(1) - point(0), point(3) - point(0), point(4) - point(0));
+            assert!(along.cross(across).dot(up) > 0.0);
+        }
+        assert!(text.contains("Name=\"a&lt;b\"") && text.contains("Name=\"material 1\""));
+    }
+}

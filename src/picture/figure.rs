@@ -272,6 +272,8 @@ impl Drawing<'_> {
     /// The lines of a solution; `before` is the number of lines that stand before them in a stack, where they may be drawn curved.
     pub(super) fn lines(&mut self, solution: &Solution, before: usize, curved: Option<Vec<Vec<DVec2>>>) {
         let Some((problem, lines, _)) = solution.lines() else { return };
+        // The module of figures knows pairs alone.
+        let (before, curved) = if cfg!(feature = "stack") { (before, curved) } else { (0, None) };
         let [first, second] = problem.outlines();
         let segments: Vec<Vec<DVec2>> =
             lines.iter().map(|line| vec![first.points[line.from], second.points[line.to]]).collect();

@@ -9,7 +9,7 @@ import { DirectrixError, load } from "directrix";
  */
 
 const folder = new URL("../../www/presets/", import.meta.url);
-const dx = await load({ module: "figure" });
+const dx = await load();
 /** @param {string} name @returns {Promise<CurvesDocument>} */
 const read = async (name) => JSON.parse(await readFile(new URL(name, folder), "utf8"));
 const presets = (await readdir(folder)).filter((name) => name.endsWith(".json") && name !== "index.json");

@@ -22,6 +22,7 @@ import { strings } from "./strings.js";
 import { fit, zoomBy } from "./stage/zoom.js";
 import { curveName } from "./state/app.js";
 import { canRemovePoints } from "./state/edits.js";
+import { hasSpace } from "./state/in-space.js";
 import { isWhole } from "./state/selection.js";
 
 const words = strings.commands;
@@ -41,6 +42,8 @@ function whyNotInsert(app) {
 }
 /** @type {(app: App) => string | null} */
 const needsCurve = ({ ui }) => (ui.value.selection ? null : words.needsCurve);
+/** @type {(app: App) => string | null} */
+const planeOnly = ({ store }) => (hasSpace(store.document) ? words.planeOnly : null);
 /** @type {(app: App) => string | null} */
 const needsPoint = ({ ui }) => (ui.value.selection?.points.length ? null : strings.curves.removeNone);
 
@@ -138,6 +141,7 @@ export const COMMANDS = [
     text: drawText,
     sheet: words.draw,
     keys: ["D"],
+    why: planeOnly,
     run: async (app) => (await import("./stage/draw.js")).startDrawing(app),
   },
   { name: "draw-point", topic: "draw", text: words.drawPoint, keys: [words.click, "Space"] },
@@ -200,7 +204,7 @@ export const COMMANDS = [
     text: duplicateText,
     sheet: words.duplicateCurve,
     keys: ["Ctrl+D"],
-    why: needsCurve,
+    why: (app) => needsCurve(app) ?? planeOnly(app),
     run: async (app) => (await curveCommands()).duplicate(app),
   },
   {
@@ -234,7 +238,7 @@ export const COMMANDS = [
     why: (app) => {
       const { selection } = app.ui.value;
       if (!selection) return words.needsCurve;
-      return cornersOf(app, selection.curve) > 0 ? null : words.noCorners;
+      return planeOnly(app) ?? (cornersOf(app, selection.curve) > 0 ? null : words.noCorners);
     },
     run: async (app) => (await curveCommands()).smooth(app),
   },
@@ -242,14 +246,14 @@ export const COMMANDS = [
     name: "add-curve",
     topic: "points",
     text: words.addCurve,
-    why: (app) => (app.store.document.curves.length > 0 ? needsRoom(app) : words.needsCurve),
+    why: (app) => (app.store.document.curves.length > 0 ? (planeOnly(app) ?? needsRoom(app)) : words.needsCurve),
     run: async (app) => (await stackCommands()).addCurve(app),
   },
   {
     name: "insert-curve",
     topic: "points",
     text: words.insertCurve,
-    why: whyNotInsert,
+    why: (app) => planeOnly(app) ?? whyNotInsert(app),
     run: async (app) => (await stackCommands()).insertCurve(app),
   },
   { name: "move-curve", topic: "points", text: words.moveCurve, keys: ["Alt+ArrowUp", "Alt+ArrowDown"] },

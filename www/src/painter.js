@@ -11,6 +11,7 @@
  * @property {PromiseSettledResult<Picture>} picture
  * @property {number} ms
  */
+import { seenAlong } from "./state/in-space.js";
 import { Lane } from "./state/lane.js";
 import { strings } from "./strings.js";
 
@@ -60,6 +61,7 @@ export function createPainter(app) {
         interrupted(failure.reason);
         return;
       }
+      if (match?.status === "fulfilled") seenAlong(match.value.projection);
       if (picture.status === "fulfilled") results.set({ picture: picture.value });
       if (match) {
         const refined = results.value.matched === document;

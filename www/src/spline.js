@@ -4,6 +4,7 @@
  *
  * @import { Curve, Point, Shape } from "./types.js"
  */
+import { seen } from "./state/in-space.js";
 
 /** Chords of one knot span, unless asked otherwise. At 14 spans the outline is within a pixel of the curve. */
 const CHORDS = 12;
@@ -17,12 +18,13 @@ export const isOpen = (curve) => curve?.form === "open";
 export const ending = (curve) => (isOpen(curve) ? "" : "Z");
 
 /**
- * The full knot vector with the control points it belongs to, repeated for a periodic curve.
+ * The full knot vector with the control points it belongs to, as they are seen, repeated for a periodic curve.
  * @param {Shape} curve
  * @returns {{knots: number[], points: Point[]}}
  */
 export function unrolled(curve) {
-  const { degree: p, points, form } = curve;
+  const { degree: p, form } = curve;
+  const { points } = seen(curve);
   const n = points.length;
   if (form !== "periodic") {
     const knots = curve.knots ?? Array.from({ length: n + p + 1 }, (_, i) => clampedKnot(i, n, p));
@@ -54,11 +56,12 @@ const outlines = new WeakMap();
 
 /**
  * The outline as a chain of chords with the parameter of every vertex, the seam of a closed curve at both ends.
- * @param {Shape} curve
+ * @param {Shape} shape
  * @param {number} [chords] of one knot span
  * @returns {{u: number, at: Point}[]}
  */
-export function outline(curve, chords = CHORDS) {
+export function outline(shape, chords = CHORDS) {
+  const curve = seen(shape);
   if (chords !== CHORDS) return trace(curve, chords);
   const known = outlines.get(curve) ?? trace(curve, chords);
   outlines.set(curve, known);

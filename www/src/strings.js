@@ -4,7 +4,7 @@
  */
 
 /** @param {number} count @param {string} one @param {string} many */
-const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+export const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
 /** A curve's name inside a sentence: "Inner" becomes "inner", "U" stays. @param {string} name */
 export const inSentence = (name) => (/^.\p{Ll}/u.test(name) ? `${name.charAt(0).toLowerCase()}${name.slice(1)}` : name);
@@ -84,6 +84,7 @@ const commands = {
   mostCurves: "A stack has at most 16 curves",
   needsCurve: "Select a curve first",
   noCorners: "It has no corner",
+  planeOnly: "Not with curves in space",
   click: "Click",
   doubleClick: "Double click",
   doubleClickCurve: "Double click on a curve",
@@ -567,39 +568,7 @@ export const strings = {
   },
 
   import: {
-    heading: (/** @type {string} */ file) => `Import: ${file}`,
     pasted: "Pasted shapes",
-    shapes: "Shapes",
-    skipped: (/** @type {number} */ count) => `${count} skipped`,
-    tolerance: "Tolerance",
-    percent: (/** @type {string} */ value) => `${value}\u00a0%`,
-    corners: "Corners",
-    keep: "Keep",
-    smooth: "Smooth",
-    through: "Through the points",
-    center: "Centre at the origin",
-    points: (/** @type {number} */ count) => plural(count, "point", "points"),
-    wasOpen: ", open ends joined",
-    fitting: "Fitting",
-    controls: (/** @type {number} */ points) => plural(points, "control point", "control points"),
-    error: (/** @type {string} */ error, /** @type {string} */ unit) => `error ${error}\u00a0${unit}`,
-    exact: "exact",
-    crosses: "It crosses itself",
-    place: (/** @type {string[]} */ size, /** @type {string} */ unit, /** @type {string[] | null} */ middle) =>
-      `${size[0]} × ${size[1]}\u00a0${unit} about ${middle ? `(${middle.join(", ")})` : "the origin"}; one unit of the drawing is one ${unit}.`,
-    open: "Open as new document",
-    replace: (/** @type {string} */ curve) => `Replace ${inSentence(curve)}`,
-    add: "Add as a curve",
-    chooseOne: "To replace a curve, choose one shape.",
-    chooseSome: "Choose one or two shapes.",
-    found: (/** @type {number} */ shapes, /** @type {number} */ skipped) =>
-      `${plural(shapes, "shape", "shapes")} found${skipped > 0 ? `, ${skipped} skipped` : ""}`,
-    nothing: "it holds no closed shape",
-    onlySkipped: (/** @type {string} */ name, /** @type {string} */ reason, /** @type {number} */ count) =>
-      `it holds no closed shape: ${name}: ${reason}${count > 1 ? ` (and ${count - 1} more)` : ""}`,
-    opened: (/** @type {string} */ title) => `Opened ${title}`,
-    placed: (/** @type {string} */ curve, /** @type {number} */ points) =>
-      `${curve} now has ${plural(points, "control point", "control points")}`,
     onlyFirst: (/** @type {string} */ file, /** @type {number} */ count) =>
       `${count} files were dropped; only ${file} was opened.`,
   },

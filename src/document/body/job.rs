@@ -314,3 +314,104 @@ impl BodyJob {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::{Json, read_hyperpatch};
+    use super::super::BodyMemory;
+    use super::*;
+    use crate::document::HyperpatchModel;
+    use crate::hyperpatch::validity::Verdict;
+    use glam::DVec3;
+    use serde_json::json;
+
+    /// Two unit cubes side by side, the second one's inner coefficients moved by `shift` against each other.
+    fn text(shift: f64) -> String {
+        let cell = |start: f64, shift: f64| {
+            let coefficient = |at: usize| {
+                let [i, j, k] = [at / 16, at / 4 % 4, at % 4];
+                let is_inside = [i, j, k].iter().all(|n| (1..3).contains(n));
+                let moved = if is_inside { shift * if i == 1 { 1.0 } else { -1.0 } } else { 0.0 };
+                let x = start + i as f64 / 3.0 + moved;
+                json!({"position": [x, j as f64 / 3.0, k as f64 / 3.0], "mix": if i < 2 { [1, 0] } else { [0, 1] }})
+            };
+            json!({"coefficients": (0..64).map(coefficient).collect::<Vec<_>>()})
+        };
+        json!({
+            "directrix": 1, "kind": "hyperpatch",
+            "materials": [{"name": "a", "color": "#000000"}, {"name": "b", "color": "#ffffff"}],
+            "operations": [{"op": "cells", "cells": [cell(0.0, 0.0), cell(1.0, shift)]}],
+        })
+        .to_string()
+    }
+
+    fn known(memory: &mut BodyMemory, text: &str) -> Rc<KnownBody> {
+        memory.find(text).unwrap_or_else(|| {
+            let document = read_hyperpatch(&Json::parse(text).unwrap()).unwrap();
+            memory.keep(text, HyperpatchModel::new(document).unwrap())
+        })
+    }
+
+    fn verdicts(known: &Rc<KnownBody>) -> Vec<Verdict> {
+        let job = BodyJob::new(Rc::clone(known), BodyAsk::Verdicts { is_global: true });
+        let Some(Answer::Verdicts(reports)) = job.run() else { panic!("verdicts were asked for") };
+        reports.iter().map(|(_, report)| report.verdict).collect()
+    }
+
+    /// A verdict stays with the shape that it is about.
+    #[test]
+    fn verdicts_are_taken_over_for_cells_that_stay() {
+        let mut memory = BodyMemory::default();
+        let sound = known(&mut memory, &text(0.0));
+        assert!(sound.judged.borrow().is_empty());
+        assert_eq!(verdicts(&sound), [Verdict::Regular, Verdict::Regular]);
+        let edited = known(&mut memory, &text(1.5));
+        assert_eq!(edited.judged.borrow().keys().collect::<Vec<_>>(), [&CellId(0)]);
+        assert_eq!(verdicts(&edited), [Verdict::Regular, Verdict::Invalid]);
+        assert!(Rc::ptr_eq(&known(&mut memory, &text(0.0)), &sound), "remembered by its text");
+    }
+
+    #[test]
+    fn every_question_ends_in_short_steps_with_the_same_answer() {
+        let mut memory = BodyMemory::default();
+        let known = known(&mut memory, &text(0.2));
+        let asks =
+            ["cells", "verdicts", "summary", "amounts", "surface", "relations", "continuity", "sharing"];
+        for name in asks {
+            let ask = BodyAsk::read(name, &Json::Object(Vec::new()), known.model()).unwrap();
+            let mut job = BodyJob::new(Rc::clone(&known), ask);
+            let mut steps = 0;
+            let stepped = loop {
+                steps += 1;
+                assert!(steps < 10_000, "{name}");
+                if let Some(answer) = job.step(&mut || false) {
+                    break answer;
+                }
+                assert!((0.0..1.0).contains(&job.progress()), "{name}");
+            };
+            assert!(job.step(&mut || true).is_none(), "{name}: nothing more ever after");
+            let whole = BodyJob::new(Rc::clone(&known), ask).run().expect("an answer");
+            assert_eq!(format!("{stepped:?}"), format!("{whole:?}"), "{name}");
+        }
+    }
+
+    /// Colour goes from black to white as the material does, and the curves of the boundary are there once.
+    #[test]
+    fn surfaces_carry_material_and_curves() {
+        let mut memory = BodyMemory::default();
+        let known = known(&mut memory, &text(0.0));
+        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None });
+        let Some(Answer::Surface(painted, boundary)) = job.run() else { panic!("a surface was asked for") };
+        for (vertex, point) in painted.positions.iter().enumerate() {
+            let t = painted.parameters[vertex].x;
+            assert!((point.x - (f64::from(painted.cells[vertex]) + t)).abs() < 1e-12);
+            assert!((painted.fractions[2 * vertex + 1] - t * t * (3.0 - 2.0 * t)).abs() < 1e-12);
+            if t == 0.0 || t == 1.0 {
+                assert_eq!(painted.colors[4 * vertex], if t == 0.0 { 0 } else { 255 });
+            }
+        }
+        assert_eq!((boundary.edges.len(), boundary.corners.len()), (20, 12));
+        let place = boundary.corners.iter().filter(|(.., users, _)| *users == 2).map(|(.., place)| *place);
+        assert!(place.map(|place: DVec3| place.x).all(|x| x == 1.0));
+    }
+}

@@ -8,6 +8,7 @@ use crate::hyperpatch::inversion::newton;
 use crate::hyperpatch::validity::{Piece, are_separated};
 use crate::hyperpatch::{Differences, Face, Net};
 use glam::DVec3;
+use std::collections::VecDeque;
 
 /// Most pairs of pieces of two cells that are looked at; each takes some ten microseconds.
 const MOST_LOOKS: usize = 4000;
@@ -197,7 +198,8 @@ pub fn relate(body: &Body, first: CellId, second: CellId) -> Option<Relation> {
 struct Work {
     features: Vec<Feature>,
     differences: [Differences; 2],
-    pairs: Vec<[Piece; 2]>,
+    /// Larger pairs come first, so that an overlap is found before the curve in which two surfaces meet is followed.
+    pairs: VecDeque<[Piece; 2]>,
     looks: usize,
     /// Distance below which points are one.
     tolerance: f64,
@@ -235,7 +237,7 @@ impl Work {
             return self.look_at_wholes(sides);
         }
         for _ in 0..LOOKS_A_STEP {
-            let Some([a, b]) = self.pairs.pop() else {
+            let Some([a, b]) = self.pairs.pop_front() else {
                 return Some(self.touch.map_or(self.apart(), |at| Relation::Touches { at }));
             };
             if self.looks == MOST_LOOKS {
@@ -306,12 +308,18 @@ impl Work {
             for (n, (piece, from, other, to)) in
                 [(a, first, b, second), (b, second, a, first)].into_iter().enumerate()
             {
-                let (at, point) = (piece.middle(), from.point(piece.middle()));
-                if let Some(found) = newton(to, point, other.middle()).filter(|found| is_deep(*found)) {
-                    return Some(Relation::Overlaps {
-                        point,
-                        at: if n == 0 { [at, found] } else { [found, at] },
-                    });
+                let (lo, hi) = to.bounds();
+                for at in piece.places() {
+                    let point = from.point(at);
+                    if !(point.cmpge(lo).all() && point.cmple(hi).all()) {
+                        continue;
+                    }
+                    if let Some(found) = newton(to, point, other.middle()).filter(|found| is_deep(*found)) {
+                        return Some(Relation::Overlaps {
+                            point,
+                            at: if n == 0 { [at, found] } else { [found, at] },
+                        });
+                    }
                 }
             }
         }
@@ -360,7 +368,7 @@ fn is_deep(at: DVec3) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hyperpatch::test_cells::{ring_cell, twisted};
+    use crate::hyperpatch::test_cells::{random_net, random_place, ring_cell, twisted};
     use crate::hyperpatch::{Axis, Cell, Corner};
     use crate::material::Composition;
 
@@ -424,6 +432,51 @@ mod tests {
         assert_eq!(two(ring_cell(2, 0, 1.0, 2.0, 1.0), ring_cell(2, 1, 1.0, 2.0, 1.0)), shares(2, 0, 0));
         let block = two(ring_cell(8, 0, 1.0, 2.0, 1.0), ring_cell(8, 1, 2.0, 3.0, 1.0));
         assert_eq!(block, shares(0, 1, 0));
+    }
+
+    /// How deep points of the boundary of one cell lie in another one, in parameters.
+    fn deepest(a: &Net, b: &Net) -> f64 {
+        let places = (0..101 * 101).map(|n| ((n / 101) as f64 / 100.0, (n % 101) as f64 / 100.0));
+        let points = Face::all()
+            .into_iter()
+            .flat_map(|f| places.clone().map(move |(s, t)| a.point(f.parameters(s, t))));
+        let depth = |at: DVec3| at.min_element().min(1.0 - at.max_element());
+        points.filter_map(|point| b.invert(point)).map(depth).fold(0.0, f64::max)
+    }
+
+    /// Against points: none of either cell lies in the other when they are apart, and the witness of an overlap is in both.
+    #[test]
+    fn relations_agree_with_points() {
+        let mut seen = [0, 0];
+        for seed in 0..60 {
+            let turn = glam::DMat3::from_axis_angle(random_place(seed).normalize(), seed as f64);
+            let shift = (random_place(seed + 100) - 0.5) * 2.6;
+            let first = random_net(seed, 0.08);
+            let second = random_net(seed + 500, 0.08).map(|p| turn * (p - 0.5) + 0.5 + shift);
+            match two(first.clone(), second.clone()) {
+                Relation::Disjoint => {
+                    seen[0] += 1;
+                    for n in 0..7 * 7 * 7 {
+                        let at = DVec3::new((n / 49) as f64, (n / 7 % 7) as f64, (n % 7) as f64) / 6.0;
+                        assert_eq!(second.invert(first.point(at)), None, "seed {seed}");
+                        assert_eq!(first.invert(second.point(at)), None, "seed {seed}");
+                    }
+                }
+                Relation::Overlaps { point, at } => {
+                    seen[1] += 1;
+                    assert!(
+                        first.point(at[0]).distance(point) < 1e-9
+                            && second.point(at[1]).distance(point) < 1e-9
+                    );
+                    assert!(at.iter().all(|at| at.min_element() >= 0.0 && at.max_element() <= 1.0));
+                }
+                _ => {
+                    let depth = deepest(&first, &second).max(deepest(&second, &first));
+                    assert!(depth < 2.0 * DEPTH, "seed {seed}: {depth} deep");
+                }
+            }
+        }
+        assert!(seen.iter().all(|&count| count > 10), "{seen:?}");
     }
 
     /// A bulge of a face into its neighbour, and a gap under one.

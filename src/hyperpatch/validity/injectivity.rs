@@ -85,6 +85,13 @@ impl Piece {
         (lo + hi) / 2.0
     }
 
+    /// Parameters of the middle and of the four corners.
+    pub(in crate::hyperpatch) fn places(&self) -> [DVec3; 5] {
+        let ([a, b], [c, d]) = (self.lo, self.hi);
+        let corner = |s: f64, t: f64| self.face.parameters(s, t);
+        [self.middle(), corner(a, b), corner(a, d), corner(c, b), corner(c, d)]
+    }
+
     /// Length of the longer side, in parameters.
     pub(in crate::hyperpatch) fn size(&self) -> f64 {
         (self.hi[0] - self.lo[0]).max(self.hi[1] - self.lo[1])

@@ -71,6 +71,11 @@ impl StackBlend {
         self.strands.iter().step_by(self.per_line).map(|strand| strand.parameters.as_slice())
     }
 
+    /// Parameters of every strand, on every curve.
+    pub fn strands(&self) -> impl Iterator<Item = &[f64]> {
+        self.strands.iter().map(|strand| strand.parameters.as_slice())
+    }
+
     /// The blend on at most about `most` of its strands, evenly taken, for a picture that shows no more; it has no lines and no threads of its own.
     #[must_use]
     pub fn thinned(&self, most: usize) -> Self {

@@ -50,6 +50,23 @@ test("on a page of its own origin it runs in a worker of its own", async () => {
   });
 });
 
+test("a stack fetches the whole module, and is shown as any figure", async () => {
+  await visit(browser, `${host.app}embed.html#v=1&preset=layered-implant`, {}, async (page) => {
+    await standing(page);
+    const { runsIn, result } = await stateOf(page);
+    assert.deepEqual([runsIn, result.ok, result.verified, result.lines], ["worker", true, true, 120]);
+    assert.ok(result.eta > 0.97 && result.eta < 0.99, "that of the worst span");
+  });
+});
+
+test("so do curves in space, which it shows as they are matched", async () => {
+  await visit(browser, `${host.app}embed.html#v=1&preset=pipe-branch`, {}, async (page) => {
+    await standing(page);
+    const { runsIn, result } = await stateOf(page);
+    assert.deepEqual([runsIn, result.ok, result.verified, result.lines], ["worker", true, true, 48]);
+  });
+});
+
 test("under a strict policy with blob workers it runs in one", async () => {
   const headers = policy(host.app, `worker-src blob: ${host.app}`);
   await visit(browser, host.page(FIGURE, { headers }), {}, async (page) => {

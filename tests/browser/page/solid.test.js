@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import { load } from "directrix";
-import { writeLink } from "directrix/link";
+import { readLink, writeLink } from "directrix/link";
 import { PNG } from "pngjs";
 import { root } from "../../../scripts/lib/paths.mjs";
 import { fitted, rayAt, seenAt, STANDARD } from "../../../www/src/space/camera.js";
@@ -15,7 +15,8 @@ import { screenshot } from "../support/screenshot.js";
 import { PHONE } from "./drawing.js";
 import { openExport } from "./exporting.js";
 import { openPage } from "./open.js";
-import { documentOf, drawn, eventually, field, middle, pick, spoken, status } from "./workbench.js";
+import { hashOf, offered, share } from "./sharing.js";
+import { documentOf, drag, drawn, eventually, field, handle, middle, pick, spoken, status } from "./workbench.js";
 
 /**
  * @import { Page } from "playwright-core"
@@ -312,6 +313,57 @@ test("without WebGL the page says so in place of the picture, and all else works
   await page.keyboard.press("Escape");
   await page.keyboard.press("1");
   await page.waitForSelector("#status[data-verdict=verified] [data-total=eta]");
+});
+
+test("curves in space are shown as they are matched, dragged in that plane, raised by a field, and shared", async (t) => {
+  const branch = JSON.parse(await readFile(join(root, "www/presets/pipe-branch.json"), "utf8"));
+  const page = await open(t, { viewport: { width: 1200, height: 760 }, hash: writeLink({ document: branch }) });
+  await page.waitForSelector("#status[data-verdict=verified] [data-total=eta]");
+  const first = (await documentOf(page)).curves[0].points.map((/** @type {Point} */ point) => [...point]);
+  const normal = /** @type {number[]} */ (dx.match(branch).projection?.normal);
+  const above = (/** @type {number[]} */ at) => at.reduce((sum, value, axis) => sum + value * normal[axis], 0);
+  const from = await middle(handle(page, "A3"));
+  await drag(page, from, [-36, 18]);
+  const dragged = await eventually(async () => {
+    const [curve] = (await documentOf(page)).curves;
+    assert.notDeepEqual(curve.points[2], first[2]);
+    return curve.points;
+  });
+  assert.equal(dragged[2].length, 3);
+  assert.ok(Math.hypot(...[0, 1, 2].map((axis) => dragged[2][axis] - first[2][axis])) > 2);
+  // The plane follows the curves a little while one of them moves.
+  assert.ok(Math.abs(above(dragged[2]) - above(first[2])) < 0.5);
+  assert.deepEqual(dragged.toSpliced(2, 1), first.toSpliced(2, 1));
+  await eventually(async () => {
+    const [x, y] = await middle(handle(page, "A3"));
+    assert.ok(Math.hypot(x - from[0] + 36, y - from[1] - 18) < 1.5, "the handle is where the pointer left it");
+  });
+
+  assert.match(await page.locator("[data-assumed]").innerText(), /In space: matched as seen along .* off its plane, and lengths count the mean gap of \d/);
+  assert.ok(await field(page, "height").isHidden());
+  await field(page, "space-z").focus();
+  await field(page, "space-z").fill("3");
+  await page.keyboard.press("Enter");
+  await eventually(async () => assert.deepEqual((await documentOf(page)).curves[0].points[2], [dragged[2][0], dragged[2][1], 3]));
+  assert.deepEqual(await audit(page, ["#inspector"]), []);
+  await share(page);
+  const { document: shared } = readLink(hashOf(await offered(page, /#/)));
+  assert.deepEqual(/** @type {any} */ (shared).curves[0].points, (await documentOf(page)).curves[0].points);
+  await page.keyboard.press("Escape");
+  for (const before of [dragged, first]) {
+    await page.locator("[data-action=undo]").click();
+    await eventually(async () => assert.deepEqual((await documentOf(page)).curves[0].points, before));
+  }
+
+  await page.keyboard.press("4");
+  await shown(page);
+  await eventually(async () => assert.match(await status(page), /matched in the best-fit plane, curves up to 10\.0\smm off it/));
+  await page.keyboard.press("1");
+  await page.waitForSelector("#status[data-verdict=verified] [data-total=eta]");
+  await page.keyboard.press("d");
+  await eventually(async () => assert.match(await status(page), /Not with curves in space/));
+  await page.locator('[data-action="insert-curve"]').waitFor();
+  assert.ok(await page.locator('[data-action="insert-curve"]').isDisabled());
 });
 
 test("on a phone the solid is turned by a finger, with targets of 44 pixels", async (t) => {

@@ -5,8 +5,10 @@
  */
 import { refuse } from "../files/open.js";
 import { problem } from "../painter.js";
+import { hasSpace } from "../state/in-space.js";
 import { strings } from "../strings.js";
 import { showShapes } from "./panel.js";
+import { words } from "./words.js";
 
 /**
  * Reads the shapes of a text and opens the panel that takes them over. Whatever is wrong with the text, the document stays.
@@ -16,11 +18,15 @@ import { showShapes } from "./panel.js";
  * @returns {Promise<boolean>} whether there was anything to offer
  */
 export async function importText(app, name, text) {
+  if (hasSpace(app.store.document)) {
+    refuse(app, name, words.inSpace);
+    return false;
+  }
   try {
     const found = await app.kernel.readShapes(text, { format: "auto" });
     if (found.shapes.length === 0) {
       const [first] = found.skipped;
-      refuse(app, name, first ? strings.import.onlySkipped(first.name, first.reason, found.skipped.length) : strings.import.nothing);
+      refuse(app, name, first ? words.onlySkipped(first.name, first.reason, found.skipped.length) : words.nothing);
       return false;
     }
     showShapes(app, name, found, !/^[\s\ufeff]*</.test(text));

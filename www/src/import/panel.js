@@ -20,6 +20,7 @@ import { whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { boxOf, firstChoice, MOST, sizeOf } from "./choose.js";
 import { drawPreview, frameOf, thumbnail } from "./picture.js";
+import { words } from "./words.js";
 
 /** Tolerances in per cent of the size of a shape: the ends of the slider, which goes by factors, and the first one. */
 const FINEST = 0.02;
@@ -44,7 +45,6 @@ const THUMBNAIL = { width: 40, height: 32 };
  * @param {boolean} isList whether they are lists of points rather than a drawing, whose corners are known
  */
 export function showShapes(app, name, { shapes, skipped }, isList) {
-  const words = strings.import;
   /** Indices of the shapes that are taken, the longest chosen first. @type {number[]} */
   let chosen = firstChoice(shapes);
   /** @type {"keep" | "smooth"} */

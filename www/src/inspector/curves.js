@@ -17,6 +17,7 @@ import { curveMark, icon, symbol } from "../icons.js";
 import { curveName, pointName } from "../state/app.js";
 import { DEGREES, highestDegree, scalePoints, setDegree, turnPoints } from "../state/curve-edits.js";
 import { changeCurve, handleCount, movePoints } from "../state/edits.js";
+import { hasSpace, isInSpace } from "../state/in-space.js";
 import { middleOf, movedPoints, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
@@ -95,6 +96,11 @@ export function curvesGroup(app) {
   placeRow.classList.add("place");
   const placeLabel = /** @type {HTMLElement} */ (placeRow.firstElementChild);
 
+  const spaceRows = later(app, () => hasSpace(app.store.document), async () => {
+    const { createSpaceRows } = await import("./in-space-rows.js");
+    return () => createSpaceRows(app, placeRow, nameRow, selection);
+  });
+
   const turn = relative(app, { label: words.turn, name: "turn", prefix: "°", rest: 0, min: -360, max: 360 }, (now, by) =>
     turnPoints(now.document, now.curve, now.points, now.middle, by),
   );
@@ -143,6 +149,7 @@ export function curvesGroup(app) {
     ),
   );
   height.element.classList.add("short");
+  const nameRow = row(words.name, name, height);
 
   const degree = numberField(
     { label: words.degree, name: "degree", ...DEGREES, step: 1, decimals: 0, whole: true },
@@ -189,7 +196,7 @@ export function curvesGroup(app) {
     alignRow,
     spreadRow,
     turnRow,
-    row(words.name, name, height),
+    nameRow,
     degreeRow,
   );
   const none = h("p", { class: "note" }, words.none);
@@ -226,6 +233,8 @@ export function curvesGroup(app) {
       if (!shape) return;
       const [px, py] = middleOf(document, chosen);
       write(placeLabel, placeName(chosen));
+      placeRow.hidden = height.element.hidden = isInSpace(shape);
+      spaceRows.render();
       const decimals = points.length === 1 ? 12 : meanDecimals(arrowStep(document));
       x.set(Number(px.toFixed(decimals)));
       y.set(Number(py.toFixed(decimals)));

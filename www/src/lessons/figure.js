@@ -28,6 +28,7 @@
 import { h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";
+import { hasSpace } from "../state/in-space.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
 import { keepNow } from "../state/session.js";
@@ -98,8 +99,9 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     note.hidden = !isMine;
     write(note, words.mineNote(app.store.document.title));
     message.hidden = true;
-    if (isMine && app.store.document.curves.length < 2) {
-      write(message, words.needsTwo);
+    const lack = app.store.document.curves.length < 2 ? words.needsTwo : hasSpace(app.store.document) ? words.planeOnly : null;
+    if (isMine && lack) {
+      write(message, lack);
       message.hidden = false;
       element.dataset.drawn = "failed";
       return;

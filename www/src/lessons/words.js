@@ -31,6 +31,7 @@ export const words = {
   mineAlt: (/** @type {string} */ title) => `${title}, your own curves`,
   mineOn: (/** @type {string} */ title) => `The figure shows your curves, ${title}`,
   mineOff: "The figure shows the curves of the lesson",
+  planeOnly: "The curves of your document lie in space, and the lessons show plane curves. The workbench Curves shows yours.",
   needsTwo: "Your document has no two curves yet. Draw them in the workbench Curves, or use the curves of the lesson.",
   cannot: (/** @type {string} */ reason) => `This figure cannot be shown: ${reason}`,
   loading: "Loading",

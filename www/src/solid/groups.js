@@ -25,8 +25,8 @@ import { shownKey } from "../commands.js";
 import { keyOf } from "../space/keys.js";
 import { curveName } from "../state/app.js";
 import { changeCurve } from "../state/edits.js";
+import { hasSpace } from "../state/in-space.js";
 import { arrowStep } from "../view.js";
-import { hasDepth } from "./raise.js";
 import { changeSolid, SOLID_LAYERS, solidUi } from "./state.js";
 import { measure, sidesOf } from "./status.js";
 import { words } from "./words.js";
@@ -95,18 +95,20 @@ function heightsGroup(app) {
     name: "heights",
     heading: words.groups.heights,
     body: h("div", {}, list, note),
-    phrase: () => words.heights.phrase(app.store.document.curves.map(({ height }) => editable(height, 0))),
+    phrase: () => hasSpace(app.store.document) ? words.heights.inSpace : words.heights.phrase(app.store.document.curves.map(({ height }) => editable(height, 0))),
     render() {
       const { document } = app.store;
       if (rows.length !== document.curves.length) {
         rows = document.curves.map((_, i) => heightRow(app, i));
         list.replaceChildren(...rows.map(({ label, field }) => row(label, field)));
       }
+      const inSpace = hasSpace(document);
+      list.hidden = inSpace;
       document.curves.forEach((curve, i) => {
         write(rows[i].label, curveName(document, i));
         rows[i].field.set(curve.height);
       });
-      write(note, document.curves.some(({ points }) => hasDepth(points)) ? words.heights.space : words.heights.note);
+      write(note, inSpace ? words.heights.space : words.heights.note);
     },
   };
 }

@@ -7,6 +7,7 @@ import { advice } from "../explain.js";
 import { editable } from "../format.js";
 import { outline } from "../spline.js";
 import { changeCurve } from "../state/edits.js";
+import { hasSpace } from "../state/in-space.js";
 import { niceBelow } from "../view.js";
 import { words } from "./words.js";
 
@@ -15,7 +16,7 @@ const SHARE = 0.45;
 
 /** Whether the curves span a height: theirs differ, or points have heights of their own. @param {CurvesDocument} document */
 export function hasHeight({ curves }) {
-  return curves.some(({ height, points }) => height !== curves[0].height || hasDepth(points));
+  return hasSpace({ curves }) || curves.some(({ height }) => height !== curves[0].height);
 }
 
 /** What a document needs before its curves can bound a solid; null when there is nothing. @param {CurvesDocument} document */
@@ -26,9 +27,6 @@ export function lackOf(document) {
 
 /** Why curves with heights bound no surface. @param {Match | null} match */
 export const reasonOf = (match) => (match && advice(match)) ?? words.unmatched;
-
-/** Whether points have heights of their own. @param {readonly (readonly number[])[]} points */
-export const hasDepth = (points) => points.some((point) => point.length > 2);
 
 /**
  * Which curve to raise, and by how much: the smaller one, so that the surface is seen from above.

@@ -20,6 +20,7 @@ import { STANDARD } from "../space/camera.js";
 import { moveOf } from "../space/keys.js";
 import { NoWebGl } from "../space/space.js";
 import { curveName } from "../state/app.js";
+import { seenAlong } from "../state/in-space.js";
 import { strings } from "../strings.js";
 import { createBuildUp } from "./build-up.js";
 import { createSolidGroups, placeOf, sectionText, shareOf } from "./groups.js";
@@ -118,6 +119,7 @@ export function createSolid(app, { stage, aside, status }) {
       answered = document;
       const reason = problem ? explain(document, problem) : solid?.ok ? null : reasonOf(match);
       const { bounds = null } = solid ?? {};
+      seenAlong(solid?.projection);
       const whole = solid?.ok && bounds ? { ...solid, bounds } : null;
       known = { ...known, solid: whole, ms, reason, lack: null };
       if (whole) frameOf(whole);

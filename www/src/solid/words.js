@@ -42,6 +42,7 @@ export const words = {
     of: (/** @type {string} */ curve) => `Height of ${curve}`,
     phrase: (/** @type {string[]} */ heights) => heights.join(", "),
     note: "Heights count in the lengths of ruling lines, so that the matching may change with them.",
+    inSpace: "in space",
     space: "Points of a curve have heights of their own.",
   },
 

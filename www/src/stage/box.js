@@ -7,6 +7,7 @@
  */
 import { find, h } from "../dom.js";
 import { handleCount } from "../state/edits.js";
+import { seen } from "../state/in-space.js";
 import { isWhole, several } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
@@ -26,7 +27,7 @@ export function createBox(app, handles) {
    */
   function inside(a, b) {
     const { view, size } = app.ui.value;
-    const found = app.store.document.curves.map((curve) =>
+    const found = app.store.document.curves.map(seen).map((curve) =>
       [...Array(handleCount(curve)).keys()].filter((i) => {
         if (!view) return false;
         const [x, y] = toScreen(view, size, curve.points[i]);

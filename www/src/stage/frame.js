@@ -12,6 +12,7 @@ import { attribute, find, h, svg } from "../dom.js";
 import { fixed, percent } from "../format.js";
 import { curveName } from "../state/app.js";
 import { scalePoints, turnPoints } from "../state/curve-edits.js";
+import { seen } from "../state/in-space.js";
 import { movedPoints } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { arrowStep, toPlane, toScreen } from "../view.js";
@@ -226,7 +227,7 @@ export function createFrame(app) {
  * @returns {Box}
  */
 function boxOf(document, selection) {
-  const { points } = document.curves[selection.curve];
+  const { points } = seen(document.curves[selection.curve]);
   const box = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
   for (const index of movedPoints(document, selection)) {
     const [x, y] = points[index];

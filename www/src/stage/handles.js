@@ -10,6 +10,7 @@ import { coordinate } from "../format.js";
 import { ending, outline } from "../spline.js";
 import { curveName, pointName } from "../state/app.js";
 import { handleCount } from "../state/edits.js";
+import { seen } from "../state/in-space.js";
 import { includes, isWhole, middleOf, singlePoint, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
@@ -46,11 +47,11 @@ export function createHandles(app) {
       grow();
       for (const group of groups) group.render(app, view, size);
       const point = singlePoint(selection);
-      const chosen = selection && point !== null ? app.store.document.curves[selection.curve]?.points[point] : null;
+      const chosen = selection && point !== null ? app.store.document.curves[selection.curve] : null;
       name.hidden = !chosen;
       if (!chosen || !selection || point === null) return;
       write(name, pointName(selection.curve, point));
-      const [x, y] = toScreen(view, size, chosen);
+      const [x, y] = toScreen(view, size, /** @type {Point} */ (seen(chosen).points[point]));
       const left = x > size.width - 56;
       name.style.transform = `translate(${x + (left ? -38 : 16)}px, ${y < 32 ? y + 8 : y - 26}px)`;
     },
@@ -67,7 +68,7 @@ export function createHandles(app) {
       /** @type {Held | null} */
       let best = null;
       let least = reach;
-      app.store.document.curves.forEach((curve, c) => {
+      app.store.document.curves.map(seen).forEach((curve, c) => {
         for (let i = 0; i < handleCount(curve); i += 1) {
           const [x, y] = toScreen(view, size, /** @type {Point} */ (curve.points[i]));
           const distance = Math.max(Math.abs(x - at[0]), Math.abs(y - at[1]));
@@ -137,9 +138,9 @@ function createGroup(curve) {
     render(app, view, size) {
       const { document } = app.store;
       const { selection } = app.ui.value;
-      const shape = document.curves[curve];
-      element.hidden = !shape;
-      if (!shape) return;
+      element.hidden = !document.curves[curve];
+      if (element.hidden) return;
+      const shape = seen(document.curves[curve]);
       const label = curveName(document, curve);
       attribute(element, "aria-label", strings.handles.group(label));
       grow(handleCount(shape));

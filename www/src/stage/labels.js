@@ -10,6 +10,7 @@ import { find, h } from "../dom.js";
 import { fixed, percent } from "../format.js";
 import { symbol } from "../icons.js";
 import { currentMatch } from "../state/app.js";
+import { seen } from "../state/in-space.js";
 import { Lane } from "../state/lane.js";
 import { shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
@@ -70,7 +71,7 @@ export function createLabels(app) {
   function handlePlaces() {
     const { view, size, layers, composing } = app.ui.value;
     if (!view || composing || !layers.includes("controlPoints")) return [];
-    return app.store.document.curves.flatMap(({ points }) => points.map((point) => toScreen(view, size, point)));
+    return app.store.document.curves.flatMap((curve) => seen(curve).points.map((point) => toScreen(view, size, point)));
   }
 
   function render() {

@@ -17,6 +17,7 @@
 import { newRun } from "../controls/run.js";
 import { find } from "../dom.js";
 import { movePoints } from "../state/edits.js";
+import { seen } from "../state/in-space.js";
 import { includes, movedPoints, toggle } from "../state/selection.js";
 import { panned, toPlane, zoomed } from "../view.js";
 import { createBox } from "./box.js";
@@ -256,7 +257,9 @@ export function listenToPointer(app, handles, probe, reading) {
    */
   function dragSelection({ curve, point }, selection, from) {
     const { document } = app.store;
-    const start = /** @type {Point} */ (point === null ? [0, 0] : document.curves[curve].points[point]);
+    // Curves in space may be seen from another side with every step, and the held point stays under the pointer.
+    const held = () => /** @type {Point} */ (point === null ? [0, 0] : seen(document.curves[curve]).points[point]);
+    const start = held();
     const moved = movedPoints(document, selection);
     const run = newRun("drag");
     return {
@@ -271,7 +274,8 @@ export function listenToPointer(app, handles, probe, reading) {
           start[1] + (from[1] - at[1]) / view.scale,
         ]);
         const to = rested(app, aim, event.ctrlKey || event.metaKey);
-        const by = /** @type {Point} */ ([to[0] - start[0], to[1] - start[1]]);
+        const was = held();
+        const by = /** @type {Point} */ ([to[0] - was[0], to[1] - was[1]]);
         app.store.commit({ run, change: (now) => movePoints({ ...now, curves: document.curves }, curve, moved, by) });
       },
       undo: () => app.store.cancel(run),

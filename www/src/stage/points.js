@@ -8,6 +8,7 @@ import { problem } from "../painter.js";
 import { isOpen, nearestParameter } from "../spline.js";
 import { pointName } from "../state/app.js";
 import { canRemovePoints, handleCount, removePoints } from "../state/edits.js";
+import { seen } from "../state/in-space.js";
 import { only } from "../state/selection.js";
 import { strings } from "../strings.js";
 
@@ -24,7 +25,7 @@ export async function insertAt(app, index, at) {
     const after = /** @type {CurvesDocument} */ (await app.kernel.insertPoint(before, index, u));
     if (app.store.document !== before) return;
     app.store.commit({ change: () => after });
-    const curve = after.curves[index];
+    const curve = seen(after.curves[index]);
     const point = nearestPoint(curve, at);
     app.ui.set({ selection: only(index, point) });
     app.say(strings.handles.inserted(pointName(index, point)));
@@ -40,7 +41,7 @@ export async function insertAt(app, index, at) {
  * @param {number} point
  */
 export function insertAfter(app, index, point) {
-  const curve = app.store.document.curves[index];
+  const curve = seen(app.store.document.curves[index]);
   const a = /** @type {Point} */ (curve.points[point]);
   const last = point + 1 === curve.points.length;
   const b = /** @type {Point} */ (curve.points[last ? (isOpen(curve) ? point - 1 : 0) : point + 1]);

@@ -73,6 +73,7 @@
  * @property {() => void} undo
  */
 import { strings } from "../strings.js";
+import { seen } from "./in-space.js";
 
 /** Layers in the order of the panel, with the ones shown at first. */
 export const LAYERS = /** @type {const} */ ([
@@ -113,7 +114,8 @@ export function curveName(document, index) {
   if (own) return own;
   if (document.curves.length < 2) return strings.curves.one;
   if (document.curves.length > 2) return strings.curves.nth(letterOf(index));
-  const reach = document.curves.map(({ points }) => {
+  const reach = document.curves.map((curve) => {
+    const { points } = seen(curve);
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);
     return (Math.max(...xs) - Math.min(...xs)) * (Math.max(...ys) - Math.min(...ys));

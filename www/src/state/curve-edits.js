@@ -5,6 +5,7 @@
  */
 import { isOpen, unrolled } from "../spline.js";
 import { changeCurve, handleCount, placePoints, tidy } from "./edits.js";
+import { seen } from "./in-space.js";
 import { nesting } from "./nest.js";
 
 /** Most control points and the highest degree the format allows. */
@@ -179,8 +180,7 @@ function extent({ points }) {
 export function duplicatePoint(document, index, point) {
   return changeCurve(document, index, (curve) => {
     if (curve.points.length >= POINT_LIMIT || point >= handleCount(curve)) return curve;
-    const [x, y] = curve.points[point];
-    const points = curve.points.toSpliced(point, 0, [x, y]);
+    const points = curve.points.toSpliced(point, 0, /** @type {any} */ ([...curve.points[point]]));
     return curve.knots ? { ...curve, points, knots: withKnot(curve, point) } : { ...curve, points };
   });
 }
@@ -274,7 +274,8 @@ export function alignPoints(document, index, points, how) {
   const curve = document.curves[index];
   if (!curve || points.length < 2) return document;
   const axis = how === "left" || how === "center" || how === "right" || how === "across" ? 0 : 1;
-  const values = points.map((point) => curve.points[point][axis]);
+  const shown = seen(curve);
+  const values = points.map((point) => shown.points[point][axis]);
   const [low, high] = [Math.min(...values), Math.max(...values)];
   const moved = (/** @type {Point} */ [x, y], /** @type {number} */ to) =>
     /** @type {Point} */ (axis === 0 ? [to, y] : [x, to]);

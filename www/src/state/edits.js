@@ -4,6 +4,7 @@
  * @import { Curve, CurvesDocument, Matching, Point, Sampling, Blend } from "../types.js"
  */
 import { dropKnot } from "../spline.js";
+import { moved, seen } from "./in-space.js";
 
 /**
  * Control points that have a handle: a clamped curve repeats its first point at the end, and both share one.
@@ -37,7 +38,7 @@ export function changeCurve(document, index, change) {
 }
 
 /**
- * Puts some control points of a curve elsewhere. The last point of a clamped curve goes with the first.
+ * Puts some control points of a curve elsewhere on the canvas. The last point of a clamped curve goes with the first.
  * @param {CurvesDocument} document
  * @param {number} index
  * @param {readonly number[]} points
@@ -48,15 +49,17 @@ export function placePoints(document, index, points, place) {
     const chosen = new Set(points);
     const last = curve.points.length - 1;
     if (curve.form === "clamped" && chosen.has(0)) chosen.add(last);
-    let moved = false;
+    const shown = seen(curve);
+    let isMoved = false;
     const next = curve.points.map((from, i) => {
       if (!chosen.has(i)) return from;
-      const [x, y] = place(from);
-      if (x === from[0] && y === from[1]) return from;
-      moved = true;
-      return /** @type {Point} */ ([x, y]);
+      const was = shown.points[i];
+      const to = place(was);
+      if (to[0] === was[0] && to[1] === was[1]) return from;
+      isMoved = true;
+      return moved(from, was, to);
     });
-    return moved ? { ...curve, points: next } : curve;
+    return isMoved ? { ...curve, points: next } : curve;
   });
 }
 
@@ -100,7 +103,7 @@ export function removePoints(document, index, points) {
  */
 function withoutPoint(curve, point) {
   let points = curve.points.filter((_, i) => i !== point);
-  if (curve.form === "clamped" && point === 0) points = [...points.slice(0, -1), [points[0][0], points[0][1]]];
+  if (curve.form === "clamped" && point === 0) points = [...points.slice(0, -1), /** @type {any} */ ([...points[0]])];
   const { knots: _, ...rest } = curve;
   const knots = dropKnot(curve, point);
   return knots ? { ...rest, points, knots } : { ...rest, points };

@@ -5,6 +5,7 @@
  * @import { CurvesDocument, Point, Selection } from "../types.js"
  */
 import { handleCount } from "./edits.js";
+import { seen } from "./in-space.js";
 
 /**
  * A whole curve.
@@ -100,13 +101,13 @@ export function movedPoints(document, selection) {
 }
 
 /**
- * The mean of the control points that the selection moves.
+ * The mean of the control points that the selection moves, on the canvas.
  * @param {CurvesDocument} document
  * @param {Selection} selection
  * @returns {Point}
  */
 export function middleOf(document, selection) {
-  const { points } = document.curves[selection.curve];
+  const { points } = seen(document.curves[selection.curve]);
   const moved = movedPoints(document, selection);
   let [x, y] = [0, 0];
   for (const index of moved) {

@@ -23,6 +23,7 @@
 import { describe } from "../../../js/sentence.js";
 import { attribute, svg, write } from "../dom.js";
 import { ending, isOpen, outline, signedArea } from "../spline.js";
+import { seen } from "../state/in-space.js";
 import { joined, sideOf } from "../state/open.js";
 import { toScreen } from "../view.js";
 import { vertexName } from "./film.js";
@@ -160,7 +161,7 @@ const isEnd = (line, curve, vertex) => line !== null && (curve === 0 ? line.from
  */
 function awaySide({ reversed }, { curves }, curve) {
   if (isOpen(curves[curve])) return reversed[curve] ? sideOf(curves, curve) : -sideOf(curves, curve);
-  const [own, other] = [curve, 1 - curve].map((k) => Math.abs(signedArea(curves[k]?.points ?? [])));
+  const [own, other] = [curve, 1 - curve].map((k) => Math.abs(signedArea(curves[k] ? seen(curves[k]).points : [])));
   return (own ?? 0) >= (other ?? 0) ? 1 : -1;
 }
 

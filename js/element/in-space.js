@@ -1,0 +1,15 @@
+/**
+ * Curves in space, which the module `figure` does not read.
+ *
+ * @import { CurvesDocument } from "../directrix.js"
+ */
+
+/**
+ * Whether the control points of a document lie in space; asked of what may be no document at all.
+ *
+ * @param {CurvesDocument | null | undefined} document
+ */
+export function isInSpace(document) {
+  const point = document?.curves?.[0]?.points?.[0];
+  return Array.isArray(point) && point.length > 2;
+}
