@@ -3,6 +3,7 @@
  *
  * @import { CurvesDocument, Kernel, Picture } from "./types.js"
  */
+
 /**
  * A document with every default written out. Rejects with a DirectrixError when it is none.
  * @param {Kernel} kernel

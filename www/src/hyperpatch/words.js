@@ -8,7 +8,6 @@ export const words = {
     "Arrow keys go round the body, with Shift they move it. Plus and minus zoom, F fits, 5 to 8 are standard views. Enter reads the place in the middle, Escape ends that. Page Down and Page Up choose a corner, which the arrow keys then move along x and z.",
   noWebGl: "This browser shows no 3D pictures here: WebGL 2 is missing or switched off. Verdicts, measures, materials and files work all the same.",
   lost: "The graphics card has dropped the picture. It comes back by itself, or when the page is loaded again.",
-  failed: (/** @type {string} */ reason) => `The workbench could not be loaded: ${reason}`,
   cancelled: "Cancelled",
   checkAgain: "Check",
   tryAgain: "Try again",
