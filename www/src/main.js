@@ -179,6 +179,8 @@ function run(app) {
   createSheet(bar.panel);
   /** What shows curves, made when the first ones are open. @type {ReturnType<typeof createCurves> | null} */
   let curves = null;
+  /** The workbench of bodies could not be loaded. */
+  let isBroken = false;
   const after = later(app, () => true, () => import("./after/after.js").then(({ createAfter }) => createAfter));
   /** What belongs to curves and bodies alike. */
   const common = [
@@ -194,8 +196,14 @@ function run(app) {
     ),
     bar,
     after,
-    later(app, () => isBody(store.document), () => import("./hyperpatch/hyperpatch.js").then(({ createHyperpatch }) => createHyperpatch), (error) =>
-      ui.set({ note: { tone: "error", text: problem(error).message } }),
+    later(
+      app,
+      () => isBody(store.document) && !isBroken,
+      () => import("./hyperpatch/hyperpatch.js").then(({ createHyperpatch }) => createHyperpatch),
+      (error) => {
+        isBroken = true;
+        find("#status").textContent = problem(error).message;
+      },
     ),
   ];
   listenToShortcuts(app, { togglePlay: () => curves?.toggle(), choose: bar.choose });

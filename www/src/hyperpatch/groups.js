@@ -10,7 +10,9 @@
  * @import { Shown } from "./state.js"
  *
  * @typedef {object} Now
- * @property {Known | null} known of the open document; null while it is on its way
+ * @property {Known | null} known the newest that is known
+ * @property {boolean} isCurrent whether it belongs to the document as it stands now
+ * @property {{position: readonly number[], sides: readonly import("./edits.js").Side[]} | null} corner the chosen one
  * @property {Shown} shown
  * @property {[number, number] | null} extent of the section plane's way, document units
  * @property {number | null} area of the face of the cut
@@ -36,7 +38,7 @@ import { measure } from "../solid/status.js";
 import { keyOf } from "../space/keys.js";
 import { relativeJacobian } from "./colors.js";
 import { bodyOf } from "./document.js";
-import { boundsOf, sharedCorner } from "./state.js";
+import { boundsOf } from "./state.js";
 import { badge, sign, WORST_FIRST } from "./verdict.js";
 import { words } from "./words.js";
 
@@ -87,7 +89,9 @@ function cellsGroup(app, now, { change }) {
     body: h("div", {}, counts, list, more, facts),
     phrase: () => words.cells.phrase(now().known?.cells.length ?? 0),
     render() {
-      const { known, shown } = now();
+      const { known, isCurrent, shown } = now();
+      // Verdicts on what has been edited since are not shown.
+      for (const part of [counts, list, facts]) part.classList.toggle("stale", !isCurrent);
       if (drawn !== known?.verdicts) {
         drawn = known?.verdicts;
         const verdicts = known?.verdicts ?? [];
@@ -106,7 +110,7 @@ function cellsGroup(app, now, { change }) {
             .map(({ cell, verdict }) =>
               h(
                 "button",
-                { type: "button", class: "body-cell", "data-cell": String(cell), "aria-label": words.spoken.cell(cell, words.verdicts[verdict]), title: words.verdicts[verdict], onclick: () => change({ cell: now().shown.cell === cell ? null : cell }) },
+                { type: "button", class: "body-cell", "data-cell": String(cell), onclick: () => change({ cell: now().shown.cell === cell ? null : cell }) },
                 /** @type {any} */ (sign(verdict)),
                 h("span", { class: "number" }, String(cell)),
               ),
@@ -116,7 +120,13 @@ function cellsGroup(app, now, { change }) {
         write(more, verdicts.length > LISTED ? words.cells.more(verdicts.length - LISTED) : "");
         more.hidden = verdicts.length <= LISTED;
       }
-      for (const button of list.children) attribute(button, "aria-pressed", String(Number(/** @type {HTMLElement} */ (button).dataset.cell) === shown.cell));
+      const listed = worstFirst(known?.verdicts ?? []);
+      for (const [n, button] of [...list.children].entries()) {
+        const { cell, verdict } = listed[n];
+        attribute(button, "aria-pressed", String(cell === shown.cell));
+        attribute(button, "title", isCurrent ? words.verdicts[verdict] : null);
+        attribute(button, "aria-label", isCurrent ? words.spoken.cell(cell, words.verdicts[verdict]) : words.cells.nth(cell));
+      }
       const verdict = known?.verdicts.find(({ cell }) => cell === shown.cell);
       const cell = known?.cells.find(({ id }) => id === shown.cell);
       const next = known && verdict && cell ? cellFacts(app, known, verdict, cell.volume) : [];
@@ -161,20 +171,16 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
   const next = h("button", { type: "button", class: "push", "data-corner-next": "", onclick: nextCorner }, words.corner.next);
   const clear = h("button", { type: "button", class: "push", "data-corner-clear": "", onclick: () => change({ corner: null }) }, words.corner.clear);
   const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note);
-  const chosen = () => {
-    const { known, shown } = now();
-    return known && sharedCorner(known.sharing, shown.corner);
-  };
   return {
     name: "corner",
     heading: words.groups.corner,
     body: h("div", {}, about, rows, h("div", { class: "body-buttons" }, next, clear)),
     phrase() {
-      const corner = chosen();
+      const { corner } = now();
       return corner ? corner.position.map((value) => fixed(value, 1)).join(", ") : words.corner.none;
     },
     render() {
-      const corner = chosen();
+      const { corner } = now();
       rows.hidden = clear.hidden = !corner;
       write(about, corner ? words.corner.shared(new Set(corner.sides.map(({ cell }) => cell)).size) : words.corner.hint);
       reach.set(now().shown.reach);

@@ -19,7 +19,7 @@ import { coordinate, fixed } from "../format.js";
 import { icon } from "../icons.js";
 import { createGroups } from "../inspector/inspector.js";
 import { problem } from "../painter.js";
-import { placeOf, sectionText, shareOf } from "../solid/groups.js";
+import { placeOf as placeAlong, sectionText, shareOf } from "../solid/groups.js";
 import { sectionPlane } from "../solid/state.js";
 import { measure } from "../solid/status.js";
 import { STANDARD } from "../space/camera.js";
@@ -27,7 +27,7 @@ import { moveOf } from "../space/keys.js";
 import { NoWebGl } from "../space/space.js";
 import { Lane } from "../state/lane.js";
 import { strings } from "../strings.js";
-import { edgeSegments } from "./cell.js";
+import { edgeSegments, placeOf } from "./cell.js";
 import { labsFor, relativeJacobian } from "./colors.js";
 import { bodyOf, cellsOf } from "./document.js";
 import { moveCorner } from "./edits.js";
@@ -126,7 +126,7 @@ function openWorkbench(app) {
   stage.append(picture, legend.element, help, message, foot);
   const groupsAt = h("div", { class: "body-groups" });
   aside.append(groupsAt);
-  const now = () => ({ known, shown, extent: planeNow()?.extent ?? null, area });
+  const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: chosenCorner(), extent: planeNow()?.extent ?? null, area });
   const groups = createGroups(
     groupsAt,
     words.region,
@@ -251,7 +251,15 @@ function openWorkbench(app) {
     return least === null ? null : [Math.min(0, least), 1];
   }
 
-  const chosenCorner = () => known && sharedCorner(known.sharing, shown.corner);
+  /** The chosen corner where the document has it now, with all its cells. */
+  function chosenCorner() {
+    const found = known && framed === store.origin.name ? sharedCorner(known.sharing, shown.corner) : null;
+    if (!found) return null;
+    const [{ cell, corner }] = found.sides;
+    const [i, j, k] = corner.map((end) => 3 * end);
+    const position = cellsOf(bodyOf(app))[cell]?.coefficients[placeOf(i, j, k)].position;
+    return position ? { position, sides: found.sides } : null;
+  }
 
   /** The plane of the section with its way, as the camera stands. */
   function planeNow() {
@@ -283,7 +291,8 @@ function openWorkbench(app) {
     const witnesses = known.verdicts.flatMap(({ witness }) => (witness ? [witness.point] : []));
     const overlaps = known.summary?.pairs.flatMap(({ point }) => (point ? [point] : [])) ?? [];
     const { theme } = ui.value;
-    const corner = chosenCorner()?.position ?? null;
+    // The picture shows the body that is known, and the mark stands on it.
+    const corner = sharedCorner(known.sharing, shown.corner)?.position ?? null;
     if (view) {
       view.set({ surface: known.surface, shown, theme, chosenCell: cell ? edgeSegments(cell) : [], corner, witnesses: [...witnesses, ...overlaps] }, isNew, bounds);
       const coloured = how();
@@ -310,9 +319,11 @@ function openWorkbench(app) {
     change({ corner: side, cell: null });
     const corner = chosenCorner();
     if (!corner || !known) return;
-    const index = known.surface.corners.findIndex((each) => sharedCorner(/** @type {Known} */ (known).sharing, each) === corner);
+    const { sharing, surface } = known;
+    const shared = sharedCorner(sharing, side);
+    const index = surface.corners.findIndex((each) => sharedCorner(sharing, each) === shared);
     const cells = new Set(corner.sides.map(({ cell }) => cell)).size;
-    app.say(words.corner.chosen(index + 1, known.surface.corners.length, placeText(corner.position), words.corner.shared(cells)));
+    app.say(words.corner.chosen(index + 1, surface.corners.length, placeText(corner.position), words.corner.shared(cells)));
   }
 
   /** @param {1 | -1} by */
@@ -327,8 +338,7 @@ function openWorkbench(app) {
   /** @param {Vector} by @param {string} [run] */
   function moveBy(by, run) {
     const corner = chosenCorner();
-    // A position that belongs to an older document would move the corner twice.
-    if (!corner || known?.document !== bodyOf(app)) return;
+    if (!corner) return;
     const move = (/** @type {unknown} */ document) => /** @type {any} */ (moveCorner(/** @type {BodyDocument} */ (document), corner.sides, by, shown.reach));
     store.commit({ change: move, ...(run === undefined ? {} : { run }) });
   }
@@ -355,7 +365,7 @@ function openWorkbench(app) {
     const at = Math.min(1, Math.max(0, section.at + steps * STEP));
     change({ section: { ...section, at } });
     const extent = planeNow()?.extent;
-    if (extent) app.say(sectionText(section.axis, placeOf(at, extent, section.axis), bodyOf(app).unit));
+    if (extent) app.say(sectionText(section.axis, placeAlong(at, extent, section.axis), bodyOf(app).unit));
   }
 
   const over = new AbortController();
@@ -373,7 +383,7 @@ function openWorkbench(app) {
     if (arrow) {
       moveBy(arrow, pressed);
       const corner = chosenCorner();
-      if (corner) app.say(words.corner.moved(placeText(corner.position.map((value, k) => value + arrow[k]))));
+      if (corner) app.say(words.corner.moved(placeText(corner.position)));
     } else if (move && view) view.move(move);
     else if (isOnPicture && (event.key === "PageDown" || event.key === "PageUp")) chooseNext(event.key === "PageDown" ? 1 : -1);
     else if (event.key === "Enter" && isOnPicture) view?.readMiddle(true);
@@ -472,7 +482,7 @@ function openWorkbench(app) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summary()));
       const found = planeNow();
       if (found && shown.section.axis !== "off") {
-        const place = placeOf(shown.section.at, found.extent, shown.section.axis);
+        const place = placeAlong(shown.section.at, found.extent, shown.section.axis);
         view.mark.describe(sectionText(shown.section.axis, place, document.unit), place, found.extent);
       }
     }

@@ -257,8 +257,8 @@ export function createBodyView(app, { plane: planeMoves, chooseCorner, chooseCel
     },
     /** @param {Move} move what it does, and what is said of it */
     move(move) {
-      if ("view" in move) return this.look(move.view);
-      if ("fit" in move) {
+      if ("view" in move) this.look(move.view);
+      else if ("fit" in move) {
         fit();
         app.say(words.spoken.fitted);
       } else if ("zoom" in move) {
