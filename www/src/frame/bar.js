@@ -64,7 +64,11 @@ export function createBar(app) {
   panel.setAttribute("aria-controls", "inspector");
 
   for (const bench of [curves, bodies]) {
-    bench.addEventListener("click", () => void import("../hyperpatch/benches.js").then(({ enter }) => enter(app, bench === bodies)));
+    bench.addEventListener("click", (event) => {
+      // Out of the lessons the address leads; from one document to another it stays as it is.
+      if (app.ui.value.workbench !== "lessons") event.preventDefault();
+      void import("../hyperpatch/benches.js").then(({ enter }) => enter(app, bench === bodies));
+    });
   }
   const openExport = () => void import("./export-panel.js").then(({ showExport }) => showExport(app));
   exporting.addEventListener("click", openExport);
