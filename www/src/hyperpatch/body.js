@@ -31,6 +31,8 @@ export class BodyScene {
   constructor(space) {
     for (const mesh of [this.#surface, this.#face]) mesh.frustumCulled = false;
     this.#face.material.uniforms.lit.value = 0;
+    // The frame of the plane lies in the face itself, which is to be seen as it is.
+    Object.assign(this.#face.material, { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -4 });
     const lines = [this.#edges, this.#outline, this.#halo, this.#cell].map(({ object }) => object);
     space.add(this.#shadow.object, this.#surface, this.#face, ...lines, this.#dots.object);
   }

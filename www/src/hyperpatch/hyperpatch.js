@@ -314,6 +314,8 @@ function openWorkbench(app) {
 
   /** @param {import("./edits.js").Side} side */
   function choose(side) {
+    // What moves another corner is another entry of the log.
+    pressed = newRun("corner");
     if (!memory.open.includes("corner")) memory = { ...memory, open: [...memory.open, "corner"] };
     memory = { ...memory, tab: "corner" };
     change({ corner: side, cell: null });
@@ -392,7 +394,7 @@ function openWorkbench(app) {
     event.preventDefault();
   }
 
-  /** What an arrow moves the chosen corner by: along x and y, with Page keys chosen instead; Control is the page's own. @param {KeyboardEvent} event @returns {Vector | null} */
+  /** What an arrow moves the chosen corner by, along x and z. @param {KeyboardEvent} event @returns {Vector | null} */
   function cornerStep({ key, shiftKey, altKey }) {
     const step = nudgeOf(known) * (shiftKey ? 10 : altKey ? 0.1 : 1);
     const along = { ArrowRight: [1, 0, 0], ArrowLeft: [-1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1] }[key];
