@@ -237,7 +237,7 @@ test("a drawing in progress shows what is there and says what is missing", () =>
 });
 
 test("inserting a control point keeps the shape", () => {
-  const finer = dx.insertPoint(amoeba, 1, 0.3);
+  const finer = full.insertPoint(amoeba, 1, 0.3);
   assert.equal(finer.curves[1].points.length, amoeba.curves[1].points.length + 1);
   const [before, after] = [dx.match(amoeba), dx.match(finer)];
   after.samples[1].points.forEach(([x, y], k) => {

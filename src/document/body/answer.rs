@@ -37,7 +37,7 @@ pub enum Answer {
     /// What cells share.
     Sharing(Box<Parts>),
     /// x, y, z and the fraction of each material on a grid; w runs fastest.
-    Grid(Grid),
+    Grid(Box<Grid>),
     /// The bytes of a file.
     File(Vec<u8>),
 }

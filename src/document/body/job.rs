@@ -291,7 +291,7 @@ impl BodyJob {
             BodyAsk::Grid { cell, counts } => {
                 let mut grid = Grid::new(counts).ok()?;
                 grid.evaluate(body.cell(cell)?);
-                Answer::Grid(grid)
+                Answer::Grid(Box::new(grid))
             }
             _ => return None,
         })
