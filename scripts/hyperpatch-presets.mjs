@@ -11,7 +11,7 @@ import { pathToFileURL } from "node:url";
 
 const THIRDS = [0, 1 / 3, 2 / 3, 1];
 
-/** Blue, orange, green: told apart by colour-blind readers. */
+/** Yellow, green, blue: told apart by colour-blind readers, and clean where two of them mix. */
 const YELLOW = { name: "polymer", color: "#f0e442" };
 const GREEN = { name: "titanium", color: "#009e73" };
 const BLUE = { name: "ceramic", color: "#0072b2" };
