@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
+import { load } from "directrix";
 import { audit } from "../support/axe.js";
 import { openPage } from "./open.js";
 import { hashOf, presetFile } from "./sharing.js";
@@ -72,6 +74,14 @@ test("a body: verdicts, section, reading, an edit of a corner, its link", async 
   await page.locator("[data-action=share]").click();
   await eventually(async () => assert.match(hashOf(await page.locator("[data-share-text]").inputValue()), /preset=hyperpatch-ring$/));
   await page.locator("[data-panel=share] [data-close]").click();
+
+  // A file is the kernel's own.
+  await page.locator("[data-action=export]").click();
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("[data-export=ply]").click()]);
+  assert.equal(file.suggestedFilename(), "ring-of-eight.ply");
+  const dx = await load();
+  assert.ok((await readFile(await file.path())).equals(dx.hyperpatch(presetFile("hyperpatch/ring")).file({ format: "ply" })));
+  await page.locator("[data-panel=export] [data-close]").click();
 
   // The other workbench has what was open there, and this one comes back to its body.
   await page.locator(".workbenches a").first().click();

@@ -21,9 +21,11 @@ export function createAfter(app) {
   whenAtRest(async () => (await import("../offline/offline.js")).startOffline(app));
   return {
     render() {
-      // A mode that is left because a body was opened still has to close.
+      const hasBody = isBody(app.store.document);
+      // Modes are those of curves; one that is left because a body was opened still has to close.
+      if (hasBody && app.ui.value.mode !== "figure") app.ui.set({ mode: "figure" });
       modes.render();
-      if (!isBody(app.store.document)) outcome.render();
+      if (!hasBody) outcome.render();
     },
   };
 }
