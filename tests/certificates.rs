@@ -245,6 +245,10 @@ fn on_every_preset_the_optimum_knows_no_seam_no_order_no_direction_and_no_side()
             // Without a seam there is none to move; `tests/open.rs` turns open curves round.
             continue;
         }
+        if given["curves"].as_array().is_none_or(|curves| curves.len() != 2) {
+            // The optimum of a stack is that of its pairs.
+            continue;
+        }
         let expected = optimum(&given);
         // The samples of the open C are matched; much finer ones within its pocket cannot all have lines at once.
         let is_open = matches!(name.as_str(), "closed-pocket" | "open-c");

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::Path;
 
+/// The presets of two curves: the methods are those of a pair.
 fn presets() -> Vec<(String, Value)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/presets");
     let mut presets: Vec<(String, Value)> = std::fs::read_dir(folder)
@@ -19,8 +20,9 @@ fn presets() -> Vec<(String, Value)> {
         .map(|path| {
             let text = std::fs::read_to_string(&path).expect("a file");
             let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
-            (name, serde_json::from_str(&text).expect("JSON"))
+            (name, serde_json::from_str::<Value>(&text).expect("JSON"))
         })
+        .filter(|(_, document)| document["curves"].as_array().is_some_and(|curves| curves.len() == 2))
         .collect();
     presets.sort_by(|a, b| a.0.cmp(&b.0));
     presets

@@ -20,7 +20,7 @@ const POINTS: usize = 4;
 ///
 /// # References
 /// W. Schroeder et al., *VTK File Formats*, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>; the order of the
-/// points is that of `vtkHigherOrderHexahedron::PointIndexFromIJK` from VTK 9.1 on (file version 2.2), see [`index`].
+/// points is that of `vtkHigherOrderHexahedron::PointIndexFromIJK` from VTK 9.1 on (file version 2.2).
 #[derive(Debug)]
 pub struct VtkJob<B> {
     body: B,
