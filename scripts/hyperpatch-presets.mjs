@@ -11,10 +11,10 @@ import { pathToFileURL } from "node:url";
 
 const THIRDS = [0, 1 / 3, 2 / 3, 1];
 
-/** Blue, orange, green: told apart by colour-blind readers. */
-const BLUE = { name: "polymer", color: "#0072b2" };
-const ORANGE = { name: "titanium", color: "#e69f00" };
-const GREEN = { name: "ceramic", color: "#009e73" };
+/** Yellow, green, blue: told apart by colour-blind readers, and clean where two of them mix. */
+const YELLOW = { name: "polymer", color: "#f0e442" };
+const GREEN = { name: "titanium", color: "#009e73" };
+const BLUE = { name: "ceramic", color: "#0072b2" };
 
 /**
  * A cell from a function of its parameters that is tricubic at most between thirds, as control points.
@@ -164,8 +164,8 @@ export function presets() {
     materials,
     operations: [{ op: "cells", cells }],
   });
-  const two = [BLUE, ORANGE];
-  const three = [BLUE, ORANGE, GREEN];
+  const two = [YELLOW, GREEN];
+  const three = [YELLOW, GREEN, BLUE];
   return {
     cell: document("One cell", two, [cell(([u, v, w]) => [2 * u - 1, 2 * v - 1, 2 * w], upwards)]),
     twisted: document("Twisted", two, [cell(twisted(60), upwards)]),

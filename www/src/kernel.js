@@ -3,12 +3,16 @@
  *
  * @import { CurvesDocument, Kernel, Picture } from "./types.js"
  */
+
 /**
  * A document with every default written out. Rejects with a DirectrixError when it is none.
  * @param {Kernel} kernel
  * @param {unknown} raw
  */
 export async function completed(kernel, raw) {
+  if (typeof raw === "object" && raw && "kind" in raw && raw.kind === "hyperpatch") {
+    return (await import("./hyperpatch/document.js")).completedBody(kernel, /** @type {any} */ (raw));
+  }
   const checked = /** @type {CurvesDocument} */ (raw);
   return /** @type {CurvesDocument} */ (await kernel.defaults(checked));
 }

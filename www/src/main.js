@@ -10,7 +10,6 @@ import { explain } from "./explain.js";
 import { splitView } from "./files/document-view.js";
 import { completed } from "./kernel.js";
 import { createBar } from "./frame/bar.js";
-import { listenToDrop } from "./frame/drop.js";
 import { openGallery } from "./frame/gallery.js";
 import { createSheet } from "./frame/sheet.js";
 import { listenToShortcuts } from "./frame/shortcuts.js";
@@ -19,7 +18,7 @@ import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
 import { workbenchOf } from "./frame/workbench.js";
 import { firstPreset } from "./gallery/first.js";
-import { listenToPaste } from "./import/paste.js";
+import { isBody } from "./hyperpatch/kind.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
@@ -31,7 +30,6 @@ import { createMorph } from "./stage/morph.js";
 import { listenToPointer } from "./stage/pointer.js";
 import { createProbe } from "./stage/probe.js";
 import { createReading } from "./stage/reading.js";
-import { createWitness } from "./stage/witness-mark.js";
 import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
@@ -77,7 +75,7 @@ const sharing = () => import("./share/arrive.js");
 async function formerSession(kernel) {
   const session = restore();
   try {
-    if (session) await kernel.defaults(session.document);
+    if (session) await completed(kernel, session.document);
     return session;
   } catch {
     // Kept by another version of the page that wrote what this one does not read.
@@ -179,34 +177,13 @@ function run(app) {
 
   const bar = createBar(app);
   createSheet(bar.panel);
-  const handles = createHandles(app);
-  const probe = createProbe(app);
-  const morph = createMorph(app);
-  const reading = createReading(app);
-  const parts = [
-    createCanvas(app),
-    reading,
-    handles,
-    frameOf(app),
-    { render: () => app.tool?.render() },
-    later(
-      app,
-      () => store.document.curves.length === 0,
-      async () => {
-        const { createEmpty } = await import("./stage/empty.js");
-        return () => createEmpty(app, { gallery: () => void openGallery(app), choose: bar.choose });
-      },
-    ),
-    probe,
-    later(app, ({ probe }) => probe !== null, () =>
-      import("./stage/probe-card.js").then(({ createProbeCard }) => createProbeCard),
-    ),
-    createWitness(app),
-    later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
-      import("./lines/lines.js").then(({ createLines }) => createLines),
-    ),
-    later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
-    later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
+  /** What shows curves, made when the first ones are open. @type {ReturnType<typeof createCurves> | null} */
+  let curves = null;
+  /** The workbench of bodies could not be loaded. */
+  let isBroken = false;
+  const after = later(app, () => true, () => import("./after/after.js").then(({ createAfter }) => createAfter));
+  /** What belongs to curves and bodies alike. */
+  const common = [
     later(
       app,
       ({ workbench }) => workbench === "lessons",
@@ -217,19 +194,19 @@ function run(app) {
         ui.set({ workbench: "curves", note: { tone: "error", text: problem(error).message } });
       },
     ),
-    createLegend(app),
-    createZoom(app),
-    morph,
     bar,
-    createInspector(app),
-    createStatus(app),
-    later(app, () => true, () => import("./after/after.js").then(({ createAfter }) => createAfter)),
+    after,
+    later(
+      app,
+      () => isBody(store.document) && !isBroken,
+      () => import("./hyperpatch/hyperpatch.js").then(({ createHyperpatch }) => createHyperpatch),
+      (error) => {
+        isBroken = true;
+        find("#status").textContent = problem(error).message;
+      },
+    ),
   ];
-  listenToPointer(app, handles, probe, reading);
-  listenToKeys(app, handles);
-  listenToShortcuts(app, { togglePlay: morph.toggle, choose: bar.choose });
-  listenToDrop(app);
-  listenToPaste(app);
+  listenToShortcuts(app, { togglePlay: () => curves?.toggle(), choose: bar.choose });
   followSystem(app);
   keep(app);
 
@@ -238,8 +215,10 @@ function run(app) {
   let { document } = store;
   const draw = () => {
     frame = 0;
-    for (const part of parts) part.render();
-    painter.update();
+    const hasBody = isBody(store.document);
+    if (!hasBody) (curves ??= createCurves(app, bar.choose)).render();
+    for (const part of common) part.render();
+    if (!hasBody) painter.update();
   };
   const schedule = () => {
     if (frame === 0) frame = requestAnimationFrame(draw);
@@ -248,6 +227,11 @@ function run(app) {
   store.subscribe(() => {
     if (store.document !== document) app.tool?.close();
     ({ document } = store);
+    if (isBody(document)) {
+      ui.set({ probe: null, line: null, witness: null, note: null, playing: false });
+      return schedule();
+    }
+    if (ui.value.view === null) refit();
     ui.set({
       probe: null,
       line: null,
@@ -271,7 +255,7 @@ function run(app) {
     schedule();
   });
 
-  const refit = () => void fit(app).catch((error) => ui.set({ note: { tone: "error", text: problem(error).message } }));
+  const refit = () => void (isBody(store.document) ? Promise.resolve() : fit(app)).catch((error) => ui.set({ note: { tone: "error", text: problem(error).message } }));
   new ResizeObserver(([entry]) => {
     if (!entry) return;
     const { width, height } = entry.contentRect;
@@ -279,6 +263,57 @@ function run(app) {
     if (ui.value.fitted || !ui.value.view) refit();
   }).observe(find("#stage"));
   schedule();
+}
+
+/**
+ * The parts of the page that show curves and change them.
+ * @param {App} app
+ * @param {() => void} choose asks for a file to open
+ */
+function createCurves(app, choose) {
+  const { store } = app;
+  const handles = createHandles(app);
+  const probe = createProbe(app);
+  const morph = createMorph(app);
+  const reading = createReading(app);
+  const parts = [
+    createCanvas(app),
+    reading,
+    handles,
+    frameOf(app),
+    { render: () => app.tool?.render() },
+    later(
+      app,
+      () => store.document.curves.length === 0,
+      async () => {
+        const { createEmpty } = await import("./stage/empty.js");
+        return () => createEmpty(app, { gallery: () => void openGallery(app), choose });
+      },
+    ),
+    probe,
+    later(app, ({ probe }) => probe !== null, () =>
+      import("./stage/probe-card.js").then(({ createProbeCard }) => createProbeCard),
+    ),
+    later(app, ({ witness }) => witness !== null, () => import("./stage/witness-mark.js").then(({ createWitness }) => createWitness)),
+    later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
+      import("./lines/lines.js").then(({ createLines }) => createLines),
+    ),
+    later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
+    later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
+    createLegend(app),
+    createZoom(app),
+    morph,
+    createInspector(app),
+    createStatus(app),
+  ];
+  listenToPointer(app, handles, probe, reading);
+  listenToKeys(app, handles);
+  return {
+    toggle: morph.toggle,
+    render() {
+      for (const part of parts) part.render();
+    },
+  };
 }
 
 /**

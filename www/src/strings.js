@@ -177,6 +177,7 @@ export const strings = {
   bar: {
     workbenches: "Workbenches",
     curves: "Curves",
+    bodies: "Hyperpatch",
     lessons: "Lessons",
     title: "Document title",
     edited: "Edited",

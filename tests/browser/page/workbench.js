@@ -15,6 +15,8 @@ const PATIENCE = 10_000;
 export async function ready(page) {
   await page.waitForSelector("html[data-ready=true]", { timeout: PATIENCE });
   await page.waitForSelector("#status[data-verdict]:not([data-verdict=none])", { timeout: PATIENCE });
+  // What the page fetches after its first figure, such as what listens to files.
+  await page.waitForSelector(".modes", { state: "attached", timeout: PATIENCE });
 }
 
 /**

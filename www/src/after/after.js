@@ -1,21 +1,31 @@
 /**
- * What the page fetches once its first figure is there: the switch of modes, the result in words, the styles of forced colours and small
+ * What the page fetches once its first figure is there: the switch of modes, files that are dropped or pasted, the result in words, the styles of forced colours and small
  * windows, and what lets it work without a network.
  *
  * @import { App } from "../state/app.js"
  */
 import "../../styles/access.css";
+import { listenToDrop } from "../frame/drop.js";
+import { isBody } from "../hyperpatch/kind.js";
+import { listenToPaste } from "../import/paste.js";
 import { createModes } from "../modes/modes.js";
 import { whenAtRest } from "../offline/rest.js";
 import { createOutcome } from "./outcome.js";
 
 /** @param {App} app */
 export function createAfter(app) {
-  const parts = [createModes(app), createOutcome(app)];
+  listenToDrop(app);
+  listenToPaste(app);
+  const modes = createModes(app);
+  const outcome = createOutcome(app);
   whenAtRest(async () => (await import("../offline/offline.js")).startOffline(app));
   return {
     render() {
-      for (const part of parts) part.render();
+      const hasBody = isBody(app.store.document);
+      // Modes are those of curves; one that is left because a body was opened still has to close.
+      if (hasBody && app.ui.value.mode !== "figure") app.ui.set({ mode: "figure" });
+      modes.render();
+      if (!hasBody) outcome.render();
     },
   };
 }

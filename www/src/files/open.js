@@ -10,6 +10,7 @@
  * @property {boolean} [foreign] whether it comes from outside: its curves are then tried as well, while what this browser kept is
  *   shown as it was left
  */
+import { isBody } from "../hyperpatch/kind.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
 import { only, within } from "../state/selection.js";
@@ -28,13 +29,17 @@ import { splitView, viewAt } from "./document-view.js";
 export async function openDocument(app, raw, name, { origin, edited = false, foreign = false } = {}) {
   try {
     const { document, ui, place } = splitView(await completed(app.kernel, raw));
-    if (foreign) await app.kernel.fit(document, { width: 1, height: 1 });
+    if (isBody(document)) {
+      // A mode of the curves is left before its document is.
+      app.ui.set({ mode: "figure" });
+      await new Promise(requestAnimationFrame);
+    } else if (foreign) await app.kernel.fit(document, { width: 1, height: 1 });
     app.store.open(document, edited, originOf(origin));
     const { size } = app.ui.value;
     app.ui.set({
       ...ui,
       step: 1,
-      selection: within(only(1, 0), document),
+      selection: isBody(document) ? null : within(only(1, 0), document),
       probe: null,
       witness: null,
       note: null,

@@ -18,6 +18,8 @@ import { LARGEST, scaledSize } from "../files/pictures.js";
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
 import { openPanel } from "./panel.js";
+import { showBodyExport } from "../hyperpatch/export.js";
+import { isBody } from "../hyperpatch/kind.js";
 
 const words = strings.exports;
 
@@ -40,6 +42,7 @@ const last = { format: "png", table: "lines", content: "document", transparent: 
 
 /** @param {App} app */
 export function showExport(app) {
+  if (isBody(app.store.document)) return showBodyExport(app);
   const { size } = app.ui.value;
   /** @type {Wanted} */
   const wanted = {

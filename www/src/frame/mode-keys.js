@@ -37,6 +37,15 @@ export const MODE_KEYS = [
     ],
   },
   {
+    heading: "Hyperpatch",
+    rows: [
+      { text: "Next corner, corner before, from the picture", keys: ["PageDown", "PageUp"] },
+      { text: "Move the chosen corner along x and z", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Go round the body where no corner is chosen", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Choose nothing", keys: ["Escape"] },
+    ],
+  },
+  {
     heading: "Lessons",
     rows: [
       { text: "Next step, step before", keys: ["ArrowRight", "ArrowLeft", "PageDown", "PageUp"] },

@@ -9,6 +9,8 @@ import "../../styles/gallery.css";
 import { h } from "../dom.js";
 import { openDocument } from "../files/open.js";
 import { openPanel } from "../frame/panel.js";
+import { showBodies } from "../hyperpatch/gallery.js";
+import { isBody } from "../hyperpatch/kind.js";
 import { strings } from "../strings.js";
 import { presetDocument, presets, thumbnail } from "./presets.js";
 
@@ -20,6 +22,7 @@ const SIZE = { width: 168, height: 120 };
  * @param {App} app
  */
 export function showGallery(app) {
+  if (isBody(app.store.document)) return showBodies(app);
   const words = strings.gallery;
   // As they lie on the screen, so that the keys go from one to the next.
   const shown = TOPICS.flatMap((topic) => presets.filter((preset) => preset.topic === topic));

@@ -15,6 +15,7 @@ import { readLink } from "../../../js/link.js";
 import { find } from "../dom.js";
 import { splitView, viewAt } from "../files/document-view.js";
 import { openDocument } from "../files/open.js";
+import { isBody } from "../hyperpatch/kind.js";
 import { completed } from "../kernel.js";
 import { currentTheme } from "../frame/theme.js";
 import { problem } from "../painter.js";
@@ -128,6 +129,8 @@ async function rawOf({ document, preset }) {
   if (preset === undefined) return document;
   const { presetDocument, presets } = await import("../gallery/presets.js");
   if (presets.some(({ id }) => id === preset)) return presetDocument(preset);
+  const body = (await import("../hyperpatch/presets.js")).bodyPreset(preset);
+  if (body) return body;
   throw Object.assign(new Error(words.problem.noPreset(preset)), { code: "link", path: "preset" });
 }
 
@@ -138,7 +141,7 @@ async function rawOf({ document, preset }) {
  */
 async function tried(kernel, raw) {
   const found = splitView(await completed(kernel, raw));
-  await kernel.fit(found.document, { width: 1, height: 1 });
+  if (!isBody(found.document)) await kernel.fit(found.document, { width: 1, height: 1 });
   return found;
 }
 

@@ -1,0 +1,99 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { test } from "node:test";
+import { load } from "directrix";
+import { root } from "../../scripts/lib/paths.mjs";
+import { edgeSegments, sampleAt } from "../../www/src/hyperpatch/cell.js";
+import { labsFor, relativeJacobian, viridis } from "../../www/src/hyperpatch/colors.js";
+import { cellsOf } from "../../www/src/hyperpatch/document.js";
+import { coefficientsAt, moveCorner } from "../../www/src/hyperpatch/edits.js";
+import { isBody } from "../../www/src/hyperpatch/kind.js";
+import { boundsOf, neighbour, sharedCorner } from "../../www/src/hyperpatch/state.js";
+
+/** @param {string} name */
+const preset = async (name) => JSON.parse(await readFile(join(root, `www/presets/hyperpatch/${name}.json`), "utf8"));
+
+const dx = await load();
+const twisted = await preset("twisted");
+const block = await preset("block");
+
+test("a single place of a cell is where the kernel has it, with its composition", () => {
+  const body = dx.hyperpatch(twisted);
+  for (const uvw of /** @type {[number, number, number][]} */ ([[0, 0, 0], [1, 0, 1], [0.3, 0.6, 0.1], [0.5, 0.25, 0.9]])) {
+    const expected = body.sample(0, uvw);
+    const found = sampleAt(cellsOf(twisted)[0], uvw, twisted.materials.length);
+    for (const axis of [0, 1, 2]) assert.ok(Math.abs(found.position[axis] - expected.position[axis]) < 1e-9, `${found.position}`);
+    found.mix.forEach((fraction, i) => assert.ok(Math.abs(fraction - expected.mix[i]) < 1e-9));
+  }
+});
+
+test("the boundary curves of a cell join its corners, each corner at three of them", () => {
+  const [cell] = cellsOf(twisted);
+  const segments = edgeSegments(cell);
+  assert.equal(segments.length, 12 * 16 * 6);
+  const ends = Array.from({ length: 12 }, (_, n) => [segments.slice(96 * n, 96 * n + 3), segments.slice(96 * n + 93, 96 * n + 96)]).flat();
+  const [{ corners }] = dx.hyperpatch(twisted).cells;
+  for (const corner of corners) {
+    const near = ends.filter((end) => Math.hypot(...end.map((value, k) => value - corner[k])) < 1e-9);
+    assert.equal(near.length, 3);
+  }
+});
+
+test("a corner moves in every cell that has it, so that the body stays joined, and back again", () => {
+  const body = dx.hyperpatch(block);
+  const sharing = body.sharing();
+  const inner = sharing.corners.find(({ sides }) => sides.length === 8);
+  assert.ok(inner);
+  const moved = moveCorner(block, inner.sides, [0.05, -0.02, 0.03], "block");
+  const after = dx.hyperpatch(moved);
+  assert.deepEqual(after.sharing().shared, sharing.shared);
+  const same = sharedCorner(after.sharing(), inner.sides[0]);
+  assert.ok(same);
+  [0.05, -0.02, 0.03].forEach((by, axis) => assert.ok(Math.abs(same.position[axis] - inner.position[axis] - by) < 1e-12));
+  // What lies outside stays, and so does the volume of the whole.
+  assert.ok(Math.abs(after.volume() - body.volume()) < 1e-9);
+  assert.equal(moveCorner(block, inner.sides, [0, 0, 0], "block"), block);
+});
+
+test("with its tangents a corner stays smooth, alone it does not", () => {
+  const inner = dx.hyperpatch(block).sharing().corners.find(({ sides }) => sides.length === 8);
+  assert.ok(inner);
+  const smooth = (/** @type {import("../../www/src/hyperpatch/edits.js").Reach} */ reach) => {
+    const { faces } = dx.hyperpatch(moveCorner(block, inner.sides, [0.1, 0.05, 0], reach)).continuity();
+    return faces.every(({ shape }) => shape === "C1");
+  };
+  assert.equal(smooth("block"), true);
+  assert.equal(smooth("corner"), false);
+  assert.deepEqual(coefficientsAt([0, 0, 0], "corner"), [0]);
+  assert.deepEqual(coefficientsAt([1, 1, 1], "corner"), [63]);
+  assert.equal(coefficientsAt([1, 0, 1], "block").length, 8);
+});
+
+test("corners follow each other round and round", () => {
+  const body = dx.hyperpatch(block);
+  const [surface, sharing] = [body.surface(), body.sharing()];
+  const first = neighbour(surface, sharing, null, 1);
+  const last = neighbour(surface, sharing, null, -1);
+  assert.ok(first && last);
+  assert.deepEqual(neighbour(surface, sharing, last, 1), first);
+  assert.deepEqual(neighbour(surface, sharing, first, -1), last);
+  assert.equal(neighbour({ corners: [] }, sharing, null, 1), null);
+  assert.equal(sharedCorner(sharing, { cell: 99, corner: [0, 0, 0] }), null);
+});
+
+test("colours are the kernel's, those of one fraction, or those of each cell", () => {
+  const { surface } = { surface: dx.hyperpatch(block).surface() };
+  const count = surface.cells.length;
+  assert.equal(labsFor(surface, { color: "material" }).length, 3 * count);
+  const ends = labsFor(surface, { color: "jacobian", values: new Map([[surface.cells[0], 1]]) });
+  assert.ok(ends[0] > 0.85, "the end of the scale is light");
+  assert.deepEqual([viridis(0), viridis(1), viridis(2)], [[68, 1, 84], [253, 231, 37], [253, 231, 37]]);
+  assert.equal(relativeJacobian({ leastJacobianBound: -3 }, -6), -0.5);
+});
+
+test("kinds and boxes", () => {
+  assert.equal(isBody(block), true);
+  assert.equal(isBody({ kind: "curves" }), false);
+  assert.deepEqual(boundsOf([1, 2, 3, -1, 5, 0]), { min: [-1, 2, 0], max: [1, 5, 3] });
+});

@@ -1,0 +1,107 @@
+/**
+ * The card beside a place of the body, and the marks over the picture: what is read, the chosen corner, witnesses.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Point, Size } from "../types.js"
+ * @import { Vector } from "../space/vector.js"
+ *
+ * @typedef {object} BodyReading
+ * @property {number} cell
+ * @property {Vector} uvw
+ * @property {Vector} point
+ * @property {number[]} mix
+ */
+import { attribute, h, svg } from "../dom.js";
+import { coordinate, fixed, percent } from "../format.js";
+import { bodyOf } from "./document.js";
+import { words } from "./words.js";
+
+/** Distance of the card from the place, and of its edge from the picture, in CSS pixels. */
+const GAP = 18;
+const EDGE = 8;
+/** Fractions that are not shown. */
+const NOTHING = 5e-4;
+
+/** @param {App} app */
+export function createMarks(app) {
+  const ring = svg("circle", { r: 3.5, class: "probe-ring" });
+  const cross = svg("path", { class: "read-cross", d: "M-9 0H9M0 -9V9" });
+  const corner = svg("g", { class: "body-corner" }, svg("circle", { r: 12.5, class: "halo" }), svg("circle", { r: 5.5, class: "dot" }));
+  const witnesses = svg("g", {});
+  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, witnesses, corner, ring, cross);
+  const card = h("div", { class: "probe", "aria-hidden": "true", hidden: true, "data-body-reading": "" });
+
+  /** @param {SVGElement} mark @param {Point | null} at */
+  function put(mark, at) {
+    mark.style.display = at ? "" : "none";
+    if (at) attribute(mark, "transform", `translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`);
+  }
+
+  return {
+    marks,
+    card,
+    /** @param {Point | null} at */
+    corner: (at) => put(corner, at),
+    /** @param {Point[]} places of witnesses on the screen */
+    witnesses(places) {
+      while (witnesses.children.length > places.length) witnesses.lastElementChild?.remove();
+      while (witnesses.children.length < places.length) {
+        witnesses.append(svg("g", { class: "body-witness", "data-body-witness": "" }, svg("path", { class: "under", d: "M-6 -6 6 6M6 -6-6 6" }), svg("path", { d: "M-6 -6 6 6M6 -6-6 6" })));
+      }
+      places.forEach((at, n) => put(/** @type {SVGElement} */ (witnesses.children[n]), at));
+    },
+    /**
+     * @param {BodyReading | null} reading
+     * @param {Point | null} at where it is on the screen; null where nothing is read
+     * @param {Size} size of the picture
+     * @param {boolean} isCross it is read by keyboard
+     */
+    reading(reading, at, size, isCross) {
+      const isRead = at !== null && reading !== null;
+      card.hidden = !isRead;
+      put(ring, isRead && !isCross ? at : null);
+      put(cross, isCross ? at : null);
+      if (!at || !reading) return;
+      card.replaceChildren(...content(app, reading));
+      const [wide, high] = [card.offsetWidth, card.offsetHeight];
+      const x = at[0] + GAP + wide < size.width - EDGE ? at[0] + GAP : at[0] - GAP - wide;
+      const y = at[1] + GAP + high < size.height - EDGE ? at[1] + GAP : at[1] - GAP - high;
+      card.style.transform = `translate(${Math.round(Math.max(EDGE, x))}px, ${Math.round(Math.max(EDGE, y))}px)`;
+    },
+  };
+}
+
+/** @param {App} app @param {BodyReading} reading */
+function content(app, { cell, uvw, point, mix }) {
+  const { materials, unit } = bodyOf(app);
+  const entry = (/** @type {string} */ label, /** @type {string} */ value) =>
+    h("div", { class: "probe-row" }, h("span", {}, label), h("span", { class: "number" }, value));
+  const bar = h("div", { class: "fraction-bar" });
+  const present = mix.map((fraction, i) => ({ fraction, material: materials[i] })).filter(({ fraction }) => fraction >= NOTHING);
+  for (const { fraction, material } of present) {
+    const part = h("span", {});
+    part.style.flexGrow = String(fraction);
+    part.style.backgroundColor = material.color;
+    bar.append(part);
+  }
+  return [
+    h("div", { class: "probe-head" }, h("strong", {}, words.cells.nth(cell)), h("span", { class: "number" }, unit)),
+    entry("u, v, w", uvw.map((t) => fixed(t, 2)).join(", ")),
+    entry("x, y, z", point.map(coordinate).join(", ")),
+    bar,
+    ...present.map(({ fraction, material }) => entry(material.name, percent(fraction))),
+  ];
+}
+
+/** A reading in words. @param {App} app @param {BodyReading | null} reading */
+export function spokenReading(app, reading) {
+  if (!reading) return words.spoken.nothing;
+  const { materials } = bodyOf(app);
+  const { cell, uvw, point, mix } = reading;
+  return words.spoken.summary([
+    words.cells.nth(cell),
+    ...["u", "v", "w"].map((name, k) => `${name} ${fixed(uvw[k], 2)}`),
+    ...["x", "y", "z"].map((name, k) => `${name} ${coordinate(point[k])}`),
+    ...mix.flatMap((fraction, i) => (fraction < NOTHING ? [] : [`${materials[i].name} ${percent(fraction)}`])),
+  ]);
+}

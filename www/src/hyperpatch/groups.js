@@ -1,0 +1,316 @@
+/**
+ * The groups beside the body: its cells with their verdicts, the chosen corner, the section, the materials, and what is shown.
+ *
+ * @import { App } from "../state/app.js"
+ * @import { Group } from "../inspector/group.js"
+ * @import { StandardView } from "../space/camera.js"
+ * @import { Section, SectionAxis } from "../solid/state.js"
+ * @import { CellVerdict } from "../../../js/directrix.js"
+ * @import { Known } from "./runner.js"
+ * @import { Shown } from "./state.js"
+ *
+ * @typedef {object} Now
+ * @property {Known | null} known the newest that is known
+ * @property {boolean} isCurrent whether it belongs to the document as it stands now
+ * @property {{position: readonly number[], sides: readonly import("./edits.js").Side[]} | null} corner the chosen one
+ * @property {Shown} shown
+ * @property {[number, number] | null} extent of the section plane's way, document units
+ * @property {number | null} area of the face of the cut
+ *
+ * @typedef {object} Acts
+ * @property {(patch: Partial<Shown>) => void} change
+ * @property {(view: StandardView) => void} look
+ * @property {(axis: 0 | 1 | 2, value: number, run?: string) => void} moveTo
+ * @property {() => void} moved a run of moves is over
+ * @property {(run: string) => void} takeBack
+ * @property {() => void} nextCorner
+ */
+import { checkBox, segment } from "../controls/choices.js";
+import { numberField } from "../controls/number-field.js";
+import { row } from "../controls/row.js";
+import { select } from "../controls/select.js";
+import { slider } from "../controls/slider.js";
+import { attribute, h, write } from "../dom.js";
+import { fixed, percent } from "../format.js";
+import { shownKey } from "../commands.js";
+import { placeOf, sectionText, shareOf } from "../solid/groups.js";
+import { measure } from "../solid/status.js";
+import { keyOf } from "../space/keys.js";
+import { relativeJacobian } from "./colors.js";
+import { bodyOf } from "./document.js";
+import { boundsOf } from "./state.js";
+import { badge, sign, WORST_FIRST } from "./verdict.js";
+import { words } from "./words.js";
+
+/** Cells listed at most. */
+const LISTED = 60;
+/** Largest coordinate of the format. */
+const FAR = 1e9;
+/** Steps of the section's slider, and of the fields of a corner as a share of the body. */
+const STEP = 0.001;
+const NUDGE = 0.01;
+
+/**
+ * @param {App} app
+ * @param {() => Now} now
+ * @param {Acts} acts
+ * @returns {Group[]}
+ */
+export function createBodyGroups(app, now, acts) {
+  return [cellsGroup(app, now, acts), cornerGroup(app, now, acts), sectionGroup(app, now, acts), materialsGroup(app, now), showGroup(app, now, acts)];
+}
+
+/** A step of a coordinate: a hundredth of the body, rounded to 1, 2 or 5. @param {Known | null} known */
+export function nudgeOf(known) {
+  const { min, max } = boundsOf(known?.surface.positions ?? []);
+  const wanted = Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]) * NUDGE;
+  const power = 10 ** Math.floor(Math.log10(wanted || 1));
+  return power * ([5, 2, 1].find((digit) => digit * power <= wanted) ?? 1);
+}
+
+/** Cells from the worst on, and of those with one verdict by their numbers. @param {readonly CellVerdict[]} verdicts */
+export const worstFirst = (verdicts) =>
+  [...verdicts].sort((a, b) => WORST_FIRST.indexOf(a.verdict) - WORST_FIRST.indexOf(b.verdict) || a.cell - b.cell);
+
+/** @param {string} text @param {Node | string} value @param {string} name */
+const fact = (text, value, name) =>
+  h("div", { class: "body-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
+
+/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
+function cellsGroup(app, now, { change }) {
+  const counts = h("div", { class: "body-counts" });
+  const list = h("div", { class: "body-cells", role: "group", "aria-label": words.cells.list });
+  const more = h("p", { class: "body-note" });
+  const facts = h("div", { class: "body-facts" });
+  let drawn = /** @type {unknown} */ (null);
+  return {
+    name: "cells",
+    heading: words.groups.cells,
+    body: h("div", {}, counts, list, more, facts),
+    phrase: () => words.cells.phrase(now().known?.cells.length ?? 0),
+    render() {
+      const { known, isCurrent, shown } = now();
+      // Verdicts on what has been edited since are not shown.
+      for (const part of [counts, list, facts]) part.classList.toggle("stale", !isCurrent);
+      if (drawn !== known?.verdicts) {
+        drawn = known?.verdicts;
+        const verdicts = known?.verdicts ?? [];
+        const present = [...WORST_FIRST].reverse().map((verdict) => ({ verdict, count: verdicts.filter((each) => each.verdict === verdict).length }));
+        counts.replaceChildren(
+          ...present
+            .filter(({ count }) => count > 0)
+            .map(({ verdict, count }) =>
+              h("span", { class: "body-count", "data-count": verdict }, /** @type {any} */ (sign(verdict)), h("span", { class: "strong number" }, String(count)), ` ${words.verdicts[verdict]}`),
+            ),
+        );
+        const focused = document.activeElement instanceof HTMLElement ? document.activeElement.dataset.cell : undefined;
+        list.replaceChildren(
+          ...worstFirst(verdicts)
+            .slice(0, LISTED)
+            .map(({ cell, verdict }) =>
+              h(
+                "button",
+                { type: "button", class: "body-cell", "data-cell": String(cell), onclick: () => change({ cell: now().shown.cell === cell ? null : cell }) },
+                /** @type {any} */ (sign(verdict)),
+                h("span", { class: "number" }, String(cell)),
+              ),
+            ),
+        );
+        if (focused !== undefined) /** @type {HTMLElement | null} */ (list.querySelector(`[data-cell="${focused}"]`))?.focus();
+        write(more, verdicts.length > LISTED ? words.cells.more(verdicts.length - LISTED) : "");
+        more.hidden = verdicts.length <= LISTED;
+      }
+      const listed = worstFirst(known?.verdicts ?? []);
+      for (const [n, button] of [...list.children].entries()) {
+        const { cell, verdict } = listed[n];
+        attribute(button, "aria-pressed", String(cell === shown.cell));
+        attribute(button, "title", isCurrent ? words.verdicts[verdict] : null);
+        attribute(button, "aria-label", isCurrent ? words.spoken.cell(cell, words.verdicts[verdict]) : words.cells.nth(cell));
+      }
+      const verdict = known?.verdicts.find(({ cell }) => cell === shown.cell);
+      const cell = known?.cells.find(({ id }) => id === shown.cell);
+      const next = known && verdict && cell ? cellFacts(app, known, verdict, cell.volume) : [];
+      const same = next.length === facts.children.length && next.every((node, i) => facts.children[i].isEqualNode(node));
+      if (!same) facts.replaceChildren(...next);
+    },
+  };
+}
+
+/** @param {App} app @param {Known} known @param {CellVerdict} verdict @param {number} volume */
+function cellFacts(app, known, verdict, volume) {
+  const kind = verdict.witness?.kind;
+  const isOpen = !known.summary && verdict.verdict === "locally-valid";
+  return [
+    h("div", { class: "body-cell-head" }, h("strong", {}, words.cells.nth(verdict.cell)), isOpen ? h("span", {}, words.cells.checking) : badge(verdict.verdict)),
+    h("p", { class: "body-note" }, kind === "folded" ? words.folded : kind === "meeting" ? words.meeting : words.means[verdict.verdict]),
+    fact(words.cells.margin, fixed(verdict.margin, 2), "margin"),
+    fact(words.cells.jacobian, `${fixed(relativeJacobian(verdict, volume), 2)} ${words.cells.ofMean}`, "jacobian"),
+    fact(words.cells.volume, measure(Math.abs(volume), bodyOf(app).unit, 3), "volume"),
+    ...(verdict.mirrored ? [fact(words.mirrored, "✓", "mirrored")] : []),
+  ];
+}
+
+/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
+function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) {
+  const fields = /** @type {const} */ ([0, 1, 2]).map((axis) => {
+    const name = ["x", "y", "z"][axis];
+    const label = `${words.corner.position} ${name}`;
+    const field = numberField(
+      { label, name: `corner-${name}`, prefix: name, min: -FAR, max: FAR, step: () => nudgeOf(now().known), decimals: 2, rounded: true },
+      { change: (value, run) => moveTo(axis, value, run), end: moved, cancel: takeBack },
+    );
+    field.element.classList.add("short");
+    return field;
+  });
+  const reach = segment(
+    { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "corner"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
+    (value) => change({ reach: value }),
+  );
+  const about = h("p", { class: "body-note" });
+  const note = h("p", { class: "body-note" });
+  const next = h("button", { type: "button", class: "push", "data-corner-next": "", onclick: nextCorner }, words.corner.next);
+  const clear = h("button", { type: "button", class: "push", "data-corner-clear": "", onclick: () => change({ corner: null }) }, words.corner.clear);
+  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note);
+  return {
+    name: "corner",
+    heading: words.groups.corner,
+    body: h("div", {}, about, rows, h("div", { class: "body-buttons" }, next, clear)),
+    phrase() {
+      const { corner } = now();
+      return corner ? corner.position.map((value) => fixed(value, 1)).join(", ") : words.corner.none;
+    },
+    render() {
+      const { corner } = now();
+      rows.hidden = clear.hidden = !corner;
+      write(about, corner ? words.corner.shared(new Set(corner.sides.map(({ cell }) => cell)).size) : words.corner.hint);
+      reach.set(now().shown.reach);
+      write(note, words.corner.reachNote[now().shown.reach]);
+      if (corner) fields.forEach((field, axis) => field.set(Number(corner.position[axis].toPrecision(12))));
+    },
+  };
+}
+
+/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
+function sectionGroup(app, now, { change }) {
+  const put = (/** @type {Partial<Section>} */ patch) => change({ section: { ...now().shown.section, ...patch } });
+  const axis = segment(
+    { label: words.section.axis, name: "body-axis", choices: /** @type {const} */ (["off", "x", "y", "z", "view"]).map((value) => ({ value, text: words.section.axes[value] })) },
+    (value) => put({ axis: /** @type {SectionAxis} */ (value) }),
+  );
+  const place = slider({ label: words.section.field, name: "body-at", min: 0, max: 1, step: STEP }, { change: (at) => put({ at }) });
+  const field = numberField(
+    { label: words.section.field, name: "body-place", min: -FAR, max: FAR, step: () => nudgeOf(now().known), decimals: 2, rounded: true },
+    {
+      change(value) {
+        const { extent, shown } = now();
+        if (extent) put({ at: shareOf(value, extent, shown.section.axis) });
+      },
+    },
+  );
+  field.element.classList.add("short");
+  const other = checkBox({ name: "body-other", text: [words.section.other] }, (flipped) => put({ flipped }));
+  const area = h("div", {});
+  const on = h("div", {}, row(words.section.at, place, field), row("", other), area, h("p", { class: "body-note" }, words.section.note));
+  return {
+    name: "section",
+    heading: words.groups.section,
+    body: h("div", {}, row(words.section.axis, axis), on),
+    phrase() {
+      const { shown, extent } = now();
+      const { axis: across, at } = shown.section;
+      return across === "off" || !extent ? words.section.off : sectionText(across, placeOf(at, extent, across), bodyOf(app).unit);
+    },
+    render() {
+      const { shown, extent, area: cut } = now();
+      const { section } = shown;
+      axis.set(section.axis);
+      on.hidden = section.axis === "off";
+      place.set(section.at);
+      other.set(section.flipped);
+      if (extent && section.axis !== "off") {
+        const value = placeOf(section.at, extent, section.axis);
+        field.set(Number(value.toPrecision(9)));
+        place.input.setAttribute("aria-valuetext", sectionText(section.axis, value, bodyOf(app).unit));
+      }
+      const next = cut === null ? [] : [fact(words.section.area, measure(cut, bodyOf(app).unit, 2), "area")];
+      if (area.textContent !== (next[0]?.textContent ?? "")) area.replaceChildren(...next);
+    },
+  };
+}
+
+/** @param {App} app @param {() => Now} now @returns {Group} */
+function materialsGroup(app, now) {
+  const list = h("div", { class: "body-materials", role: "list", "aria-label": words.materials.amount });
+  let drawn = "";
+  return {
+    name: "materials",
+    heading: words.groups.materials,
+    body: h("div", {}, list),
+    phrase: () => words.materials.phrase(bodyOf(app).materials.length),
+    render() {
+      const { known } = now();
+      const { materials, unit } = bodyOf(app);
+      const key = JSON.stringify([materials, known?.amounts, unit]);
+      if (key === drawn) return;
+      drawn = key;
+      const whole = known?.amounts.reduce((sum, amount) => sum + amount, 0) ?? 0;
+      list.replaceChildren(
+        ...materials.map(({ name, color }, i) => {
+          const swatch = h("span", { class: "body-swatch" });
+          swatch.style.backgroundColor = color;
+          const amount = known?.amounts[i];
+          const value = amount === undefined ? words.materials.unknown : measure(amount, unit, 3);
+          const share = amount === undefined || whole === 0 ? "" : percent(amount / whole);
+          return h("div", { class: "body-material", role: "listitem" }, swatch, h("span", {}, name), h("span", { class: "strong number" }, value), h("span", { class: "number" }, share));
+        }),
+      );
+    },
+  };
+}
+
+/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
+function showGroup(app, now, { change, look }) {
+  const color = segment(
+    { label: words.show.color, name: "body-color", choices: /** @type {const} */ (["material", "fraction", "jacobian"]).map((value) => ({ value, text: words.show.colors[value] })) },
+    (value) => change({ color: value }),
+  );
+  const boxes = /** @type {const} */ (["edges", "corners", "light"]).map((name) => ({ name, ...checkBox({ name: `body-${name}`, text: [words.show[name]] }, (on) => change({ [name]: on })) }));
+  const material = h("div", {});
+  let names = "";
+  /** @type {ReturnType<typeof select> | null} */
+  let choice = null;
+  const views = /** @type {const} */ (["iso", "front", "side", "top"]).map((view) =>
+    h(
+      "button",
+      { type: "button", class: "push body-view", "data-body-view": view, title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`, onclick: () => look(view) },
+      words.show.views[view],
+    ),
+  );
+  return {
+    name: "show",
+    heading: words.groups.show,
+    body: h(
+      "div",
+      {},
+      h("div", { class: "body-color" }, color.element),
+      material,
+      h("div", { class: "layers body-layers" }, ...boxes.map(({ element }) => element)),
+      h("div", { class: "body-views", role: "group", "aria-label": words.show.view }, ...views),
+    ),
+    phrase: () => words.show.colors[now().shown.color],
+    render() {
+      const { shown } = now();
+      const { materials } = bodyOf(app);
+      color.set(shown.color);
+      for (const { name, set } of boxes) set(shown[name]);
+      const key = JSON.stringify(materials.map(({ name }) => name));
+      if (key !== names) {
+        names = key;
+        choice = select({ label: words.show.fraction, name: "body-material", choices: materials.map(({ name }, i) => ({ value: String(i), text: name })) }, (value) => change({ material: Number(value) }));
+        material.replaceChildren(row(words.show.fraction, choice));
+      }
+      material.hidden = shown.color !== "fraction";
+      choice?.set(String(Math.min(shown.material, materials.length - 1)));
+    },
+  };
+}

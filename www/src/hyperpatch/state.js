@@ -1,0 +1,72 @@
+/**
+ * What the picture of a body shows besides the document, and what is chosen in it.
+ *
+ * @import { BodySharing, BodySurface } from "../../../js/directrix.js"
+ * @import { Bounds } from "../space/vector.js"
+ * @import { Section } from "../solid/state.js"
+ * @import { Reach, Side } from "./edits.js"
+ *
+ * @typedef {object} Shown
+ * @property {"material" | "fraction" | "jacobian"} color
+ * @property {number} material index of the material whose fraction is shown
+ * @property {boolean} edges
+ * @property {boolean} corners
+ * @property {boolean} light
+ * @property {Section} section
+ * @property {number | null} cell the chosen one
+ * @property {Side | null} corner the chosen one, as one of its cells has it
+ * @property {Reach} reach what moves with a corner
+ */
+
+/** @type {Readonly<Shown>} */
+export const FIRST_SHOWN = {
+  color: "material",
+  material: 0,
+  edges: true,
+  corners: true,
+  light: true,
+  section: { axis: "off", at: 0.5, flipped: false },
+  cell: null,
+  corner: null,
+  reach: "block",
+};
+
+/** @param {ArrayLike<number>} positions three numbers a point @returns {Bounds} */
+export function boundsOf(positions) {
+  /** @type {Bounds} */
+  const box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
+  for (let n = 0; n < positions.length; n += 1) {
+    const axis = n % 3;
+    if (positions[n] < box.min[axis]) box.min[axis] = positions[n];
+    if (positions[n] > box.max[axis]) box.max[axis] = positions[n];
+  }
+  return positions.length > 0 ? box : { min: [0, 0, 0], max: [1, 1, 1] };
+}
+
+/**
+ * A corner with every cell that has it; null where no cell has it any more.
+ * @param {Pick<BodySharing, "corners">} sharing
+ * @param {Side | null} side
+ */
+export function sharedCorner({ corners }, side) {
+  if (!side) return null;
+  const is = (/** @type {Side} */ other) => other.cell === side.cell && other.corner.every((end, k) => end === side.corner[k]);
+  return corners.find(({ sides }) => sides.some(is)) ?? null;
+}
+
+/**
+ * The corner so many places after a chosen one, round and round; the first where none is chosen.
+ * @param {Pick<BodySurface, "corners">} surface
+ * @param {Pick<BodySharing, "corners">} sharing
+ * @param {Side | null} chosen
+ * @param {1 | -1} by
+ * @returns {Side | null}
+ */
+export function neighbour({ corners }, sharing, chosen, by) {
+  if (corners.length === 0) return null;
+  const shared = sharedCorner(sharing, chosen);
+  const here = corners.findIndex((side) => shared !== null && sharedCorner(sharing, side) === shared);
+  const next = here < 0 ? (by > 0 ? 0 : corners.length - 1) : (here + by + corners.length) % corners.length;
+  const { cell, corner } = corners[next];
+  return { cell, corner };
+}
