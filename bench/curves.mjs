@@ -97,7 +97,8 @@ export default [
     // As the page does it; there are more presets than the cache remembers.
     name: "open a preset: defaults, fit, matching, picture 1136 x 820",
     budget: 100,
-    prepare(dx) {
+    async prepare() {
+      const dx = await load({ module: "full" });
       const size = { width: 1136, height: 820 };
       let run = 0;
       return () => {
@@ -171,7 +172,8 @@ export default [
   {
     name: "unit cells at 200 lines, 5 stages",
     budget: 50,
-    prepare(dx) {
+    async prepare() {
+      const dx = await load({ module: "full" });
       const document = edits([200, 200])();
       return () => dx.cells(document);
     },

@@ -70,8 +70,9 @@ export async function* table(dx) {
   yield* headed(["pair, method", "ms", "lines", "J", "η", "crossings", "blocked", "feasible"]);
   for (const { id, title } of index) {
     const document = await preset(id);
-    // The others match closed outlines alone.
-    if (document.curves[0].form === "open") continue;
+    // The others match pairs of closed outlines in the plane alone.
+    const isPair = document.curves.length === 2 && document.curves[0].points[0].length === 2;
+    if (!isPair || document.curves[0].form === "open") continue;
     const ratings = compare(dx, document, runs);
     all.set(id, { title, ratings });
     for (const rating of ratings) {
