@@ -7,7 +7,9 @@
 import { h } from "../dom.js";
 import { explain } from "../explain.js";
 import { editable, fixed, milliseconds } from "../format.js";
+import { command, item, label, strong } from "../frame/status-parts.js";
 import { symbol } from "../icons.js";
+import { fillStatus } from "../modes/status-line.js";
 import { strings } from "../strings.js";
 import { bestOf, faultsOf, median, METHODS } from "./methods.js";
 import { words } from "./words.js";
@@ -20,7 +22,7 @@ import { words } from "./words.js";
 export function renderStatus(app, element, { results, cancel, retry }) {
   const { document } = app.store;
   if (document.curves.length < 2) {
-    fill(element, "incomplete", [strong(strings.incomplete.verdict[document.curves.length] ?? "")], remark(app, null, cancel, retry));
+    fillStatus(element, "incomplete", [strong(strings.incomplete.verdict[document.curves.length] ?? "")], remark(app, null, cancel, retry));
     return;
   }
   const done = results.filter((result) => result !== null);
@@ -41,7 +43,7 @@ export function renderStatus(app, element, { results, cancel, retry }) {
       ].filter((node) => node !== null);
   const verdict = !whole ? "none" : refused ? "error" : failing > 0 ? "problems" : "verified";
   const note = whole && !refused ? label(words.failing(failing, METHODS.length)) : null;
-  fill(element, verdict, left, remark(app, note, cancel, retry));
+  fillStatus(element, verdict, left, remark(app, note, cancel, retry));
 }
 
 /** @param {App} app @param {Result[]} done */
@@ -81,33 +83,3 @@ function remark(app, note, cancel, retry) {
   }
   return [said ? label(said.text) : note];
 }
-
-/**
- * Writes the line when it differs from what stands there, so that a button keeps its focus.
- * @param {HTMLElement} element
- * @param {string} verdict
- * @param {Node[]} left
- * @param {(Node | null)[]} right
- */
-function fill(element, verdict, left, right) {
-  const next = [
-    h("div", { class: "certificates" }, ...left),
-    h("div", { class: "remark" }, ...right),
-  ];
-  element.dataset.verdict = verdict;
-  const same = next.every((node, i) => element.children[i]?.isEqualNode(node));
-  if (!same || element.children.length !== next.length) element.replaceChildren(...next);
-}
-
-/** @param {string} name @param {...Node} parts */
-const item = (name, ...parts) => h("span", { class: "item", "data-total": name }, ...parts);
-
-/** @param {string} text */
-const label = (text) => h("span", {}, text);
-
-/** @param {string} text */
-const strong = (text) => h("span", { class: "strong number" }, text);
-
-/** @param {string} name @param {string} text @param {() => void} act */
-const command = (name, text, act) =>
-  h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);

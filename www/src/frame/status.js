@@ -10,6 +10,7 @@ import { fixed, milliseconds } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { advice, explain } from "../explain.js";
+import { command, item, label, strong } from "./status-parts.js";
 import { patch } from "../state/edits.js";
 import { spanName } from "../state/app.js";
 import { keptGaps, shownTotals } from "../state/lines.js";
@@ -188,20 +189,6 @@ function gapText(gap) {
   return gap < 5e-4 ? "0" : `${fixed(gap * 100, 1)}\u00a0%`;
 }
 
-/** @param {string} name @param {...Node} parts */
-function item(name, ...parts) {
-  return h("span", { class: "item", "data-total": name }, ...parts);
-}
-
-/** @param {string} text */
-const label = (text) => h("span", {}, text);
-
-/** @param {string | Node} text */
-const strong = (text) => h("span", { class: "strong number" }, text);
 
 /** @param {string} text */
 const reason = (text) => h("span", { class: "failed reason", "data-reason": "" }, text);
-
-/** @param {string} name @param {string} text @param {() => void} act */
-const command = (name, text, act) =>
-  h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);

@@ -34,7 +34,7 @@ import { attribute, h, write } from "../dom.js";
 import { fixed, percent } from "../format.js";
 import { shownKey } from "../commands.js";
 import { placeOf, sectionText, shareOf } from "../solid/groups.js";
-import { measure } from "../solid/status.js";
+import { measure } from "../space/measure.js";
 import { keyOf } from "../space/keys.js";
 import { relativeJacobian } from "./colors.js";
 import { bodyOf } from "./document.js";

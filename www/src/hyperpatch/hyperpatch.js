@@ -21,7 +21,7 @@ import { createGroups } from "../inspector/inspector.js";
 import { problem } from "../painter.js";
 import { placeOf as placeAlong, sectionText, shareOf } from "../solid/groups.js";
 import { sectionPlane } from "../solid/state.js";
-import { measure } from "../solid/status.js";
+import { measure } from "../space/measure.js";
 import { STANDARD } from "../space/camera.js";
 import { moveOf } from "../space/keys.js";
 import { NoWebGl } from "../space/space.js";

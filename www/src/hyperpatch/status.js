@@ -8,8 +8,10 @@
  */
 import { h } from "../dom.js";
 import { fixed, milliseconds, significantText } from "../format.js";
+import { command, item, label, strong } from "../frame/status-parts.js";
 import { icon, symbol } from "../icons.js";
-import { measure } from "../solid/status.js";
+import { fillStatus } from "../modes/status-line.js";
+import { measure } from "../space/measure.js";
 import { strings } from "../strings.js";
 import { relativeJacobian } from "./colors.js";
 import { bodyOf } from "./document.js";
@@ -76,7 +78,7 @@ export function renderStatus(app, element, { known, isCurrent, reason, cancel, r
             item("ms", strong(milliseconds(known.ms)), label(words.status.ms)),
           ].filter((node) => node !== null)
         : [label(words.loading)];
-  fill(element, verdict, left, remark(app, fact, cancel, retry));
+  fillStatus(element, verdict, left, remark(app, fact, cancel, retry));
 }
 
 /** @param {ReturnType<typeof judged>} fact @param {(cell: number) => void} show */
@@ -108,29 +110,3 @@ function remark(app, fact, cancel, retry) {
   if (note) return [label(note.text), note.text === words.cancelled ? command("retry", words.checkAgain, retry) : null];
   return [fact?.outcome === "checking" ? command("cancel", words.cancel, cancel) : null, ...(fact?.remarks.map((text) => h("span", { class: "warning" }, text)) ?? [])];
 }
-
-/**
- * Writes the line when it differs from what stands there, so that a button keeps its focus.
- * @param {HTMLElement} element
- * @param {string} verdict
- * @param {Node[]} left
- * @param {(Node | null)[]} right
- */
-function fill(element, verdict, left, right) {
-  const next = [h("div", { class: "certificates" }, ...left), h("div", { class: "remark" }, ...right.filter((node) => node !== null))];
-  element.dataset.verdict = verdict;
-  const same = next.every((node, i) => element.children[i]?.isEqualNode(node));
-  if (!same || element.children.length !== next.length) element.replaceChildren(...next);
-}
-
-/** @param {string} name @param {...Node} parts */
-const item = (name, ...parts) => h("span", { class: "item", "data-total": name }, ...parts);
-
-/** @param {string} text */
-const label = (text) => h("span", {}, text);
-
-/** @param {string} text */
-const strong = (text) => h("span", { class: "strong number" }, text);
-
-/** @param {string} name @param {string} text @param {() => void} act */
-const command = (name, text, act) => h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);

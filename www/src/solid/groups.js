@@ -28,7 +28,8 @@ import { changeCurve } from "../state/edits.js";
 import { hasSpace } from "../state/in-space.js";
 import { arrowStep } from "../view.js";
 import { changeSolid, SOLID_LAYERS, solidUi } from "./state.js";
-import { measure, sidesOf } from "./status.js";
+import { measure } from "../space/measure.js";
+import { sidesOf } from "./status.js";
 import { words } from "./words.js";
 
 /** Largest height the format allows. */

@@ -28,7 +28,8 @@ import { createSolidLegend } from "./legend.js";
 import { lackOf, proposal, raised, reasonOf } from "./raise.js";
 import { createRunner } from "./runner.js";
 import { changeSolid, colorOf, levelsOf, solidUi } from "./state.js";
-import { measure, renderStatus, sidesOf } from "./status.js";
+import { measure } from "../space/measure.js";
+import { renderStatus, sidesOf } from "./status.js";
 import { createSolidView } from "./view.js";
 import { words } from "./words.js";
 

@@ -12,8 +12,11 @@
  * @property {string | null} lack what the document needs before there can be one
  */
 import { h } from "../dom.js";
-import { fixed, length, milliseconds, significant } from "../format.js";
+import { fixed, length, milliseconds } from "../format.js";
+import { command, item, label, strong } from "../frame/status-parts.js";
 import { icon } from "../icons.js";
+import { fillStatus } from "../modes/status-line.js";
+import { measure } from "../space/measure.js";
 import { strings } from "../strings.js";
 import { words } from "./words.js";
 
@@ -36,26 +39,11 @@ export function renderStatus(app, element, { solid, worst, ms, reason, lack, can
         ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.status.ms)),
       ].filter((node) => node !== null)
     : [reason !== null ? h("span", { class: "failed reason" }, reason) : label(lack ?? words.loading)];
-  fill(element, verdict, left, remark(app, solid, cancel, retry));
+  fillStatus(element, verdict, left, remark(app, solid, cancel, retry));
 }
 
 /** The three sides of the box. @param {Pick<Whole, "bounds">} solid */
 export const sidesOf = ({ bounds: { min, max } }) => [0, 1, 2].map((axis) => fixed(max[axis] - min[axis], 1));
-
-/**
- * An area or a volume with its unit.
- * @param {number} value
- * @param {string} unit of lengths
- * @param {2 | 3} power
- */
-export function measure(value, unit, power) {
-  const { mantissa, exponent } = significant(value);
-  const number = exponent === null ? mantissa : `${mantissa} × 10${raised(exponent)}`;
-  return unit === "" ? number : `${number}\u00a0${unit}${power === 2 ? "²" : "³"}`;
-}
-
-/** @param {string} exponent */
-const raised = (exponent) => [...exponent].map((sign) => (sign === "\u2212" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)])).join("");
 
 /** @param {string} verdict */
 function verdictOf(verdict) {
@@ -90,29 +78,3 @@ function remark(app, solid, cancel, retry) {
   const projection = solid?.projection ?? null;
   return [projection ? h("span", { class: "warning" }, words.status.projected(length(projection.deviation, app.store.document.unit))) : null];
 }
-
-/**
- * Writes the line when it differs from what stands there, so that a button keeps its focus.
- * @param {HTMLElement} element
- * @param {string} verdict
- * @param {Node[]} left
- * @param {(Node | null)[]} right
- */
-function fill(element, verdict, left, right) {
-  const next = [h("div", { class: "certificates" }, ...left), h("div", { class: "remark" }, ...right.filter((node) => node !== null))];
-  element.dataset.verdict = verdict;
-  const same = next.every((node, i) => element.children[i]?.isEqualNode(node));
-  if (!same || element.children.length !== next.length) element.replaceChildren(...next);
-}
-
-/** @param {string} name @param {...Node} parts */
-const item = (name, ...parts) => h("span", { class: "item", "data-total": name }, ...parts);
-
-/** @param {string} text */
-const label = (text) => h("span", {}, text);
-
-/** @param {string} text */
-const strong = (text) => h("span", { class: "strong number" }, text);
-
-/** @param {string} name @param {string} text @param {() => void} act */
-const command = (name, text, act) => h("button", { type: "button", class: "command", "data-command": name, onclick: act }, text);
