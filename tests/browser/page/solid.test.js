@@ -269,7 +269,7 @@ test("leaving gives the graphics context back; a lost one is waited for; a link 
   assert.deepEqual(left, [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
   assert.deepEqual(await live(), [...Array(10).fill(false), true]);
 
-  const message = page.locator(".solid-message");
+  const message = page.locator(".space-message");
   await page.evaluate(() => {
     const { contexts } = /** @type {any} */ (window);
     /** @type {any} */ (window).losing = contexts.at(-1).getExtension("WEBGL_lose_context");
@@ -302,7 +302,7 @@ test("without WebGL the page says so in place of the picture, and all else works
       };`,
   });
   await page.locator("[data-solid=shown]").waitFor({ state: "attached" });
-  assert.match(await page.locator(".solid-message").innerText(), /WebGL 2 is missing/);
+  assert.match(await page.locator(".space-message").innerText(), /WebGL 2 is missing/);
   await eventually(async () => assert.match(await status(page), /Watertight/));
   assert.deepEqual(await audit(page, [".mode-stage", ".mode-aside", "#status"]), []);
   await openExport(page, /** @type {any} */ ("solid"));

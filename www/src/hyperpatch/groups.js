@@ -74,7 +74,7 @@ export const worstFirst = (verdicts) =>
 
 /** @param {string} text @param {Node | string} value @param {string} name */
 const fact = (text, value, name) =>
-  h("div", { class: "body-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
+  h("div", { class: "space-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function cellsGroup(app, now, { change }) {
@@ -282,7 +282,7 @@ function showGroup(app, now, { change, look }) {
   const views = /** @type {const} */ (["iso", "front", "side", "top"]).map((view) =>
     h(
       "button",
-      { type: "button", class: "push body-view", "data-body-view": view, title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`, onclick: () => look(view) },
+      { type: "button", class: "push space-view", "data-body-view": view, title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`, onclick: () => look(view) },
       words.show.views[view],
     ),
   );
@@ -295,7 +295,7 @@ function showGroup(app, now, { change, look }) {
       h("div", { class: "body-color" }, color.element),
       material,
       h("div", { class: "layers body-layers" }, ...boxes.map(({ element }) => element)),
-      h("div", { class: "body-views", role: "group", "aria-label": words.show.view }, ...views),
+      h("div", { class: "space-views", role: "group", "aria-label": words.show.view }, ...views),
     ),
     phrase: () => words.show.colors[now().shown.color],
     render() {

@@ -104,10 +104,10 @@ function openWorkbench(app) {
 
   const view = tryView();
   const legend = createBodyLegend(app);
-  const message = h("div", { class: "body-message", hidden: true, "data-body-message": "" }, h("p", {}));
+  const message = h("div", { class: "space-message", hidden: true, "data-body-message": "" }, h("p", {}));
   const help = h("p", { id: "body-help", class: "spoken" }, words.keyboardHelp);
   const keyboard = h("div", {
-    class: "body-keys",
+    class: "space-keys",
     tabIndex: 0,
     role: "application",
     "aria-label": words.keyboard,
@@ -122,7 +122,7 @@ function openWorkbench(app) {
     zoomButton("fit", words.zoom.fit, "F", () => view?.move({ fit: true })),
   );
   const foot = h("div", { class: "morph body-foot" }, /** @type {any} */ (view?.triad) ?? h("span", {}), h("span", {}), zoom);
-  const picture = h("div", { class: "body-picture" }, ...(view ? [view.canvas] : []), keyboard, .../** @type {any[]} */ (view?.overlays ?? []));
+  const picture = h("div", { class: "space-picture" }, ...(view ? [view.canvas] : []), keyboard, .../** @type {any[]} */ (view?.overlays ?? []));
   stage.append(picture, legend.element, help, message, foot);
   const groupsAt = h("div", { class: "body-groups" });
   aside.append(groupsAt);

@@ -49,7 +49,7 @@ export function createSolidGroups(app, now, { look }) {
 
 /** @param {string} text @param {string} value @param {string} name */
 const fact = (text, value, name) =>
-  h("div", { class: "solid-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
+  h("div", { class: "space-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
 
 /** @param {App} app @param {() => Now} now @returns {Group} */
 function bodyGroup(app, now) {
@@ -150,7 +150,7 @@ function showGroup(app, look) {
       "button",
       {
         type: "button",
-        class: "push solid-view",
+        class: "push space-view",
         "data-solid-view": view,
         title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`,
         onclick: () => look(view),
@@ -165,7 +165,7 @@ function showGroup(app, look) {
     materialRow,
     note,
     h("div", { class: "layers solid-layers" }, ...boxes.map(({ element }) => element)),
-    h("div", { class: "solid-views", role: "group", "aria-label": words.show.view }, ...views),
+    h("div", { class: "space-views", role: "group", "aria-label": words.show.view }, ...views),
   );
   return {
     name: "show",

@@ -70,11 +70,11 @@ export function createSolid(app, { stage, aside, status }) {
   const view = tryView();
   const legend = createSolidLegend(app);
   const caption = h("p", { class: "solid-caption" });
-  const message = h("div", { class: "solid-message", hidden: true });
+  const message = h("div", { class: "space-message", hidden: true });
   const help = h("p", { id: "solid-help", class: "spoken" }, words.keyboardHelp);
   const keyboard = h("div", {
     id: "solid-keys",
-    class: "solid-keys",
+    class: "space-keys",
     tabIndex: 0,
     role: "application",
     "aria-label": words.keyboard,
@@ -96,7 +96,7 @@ export function createSolid(app, { stage, aside, status }) {
     zoomButton("fit", words.zoom.fit, "F", () => view?.move({ fit: true })),
   );
   const foot = h("div", { class: "morph solid-foot" }, /** @type {any} */ (view?.triad) ?? h("span", {}), buildUp.element, zoom);
-  const picture = h("div", { class: "solid-picture" }, ...(view ? [view.canvas] : []), keyboard, .../** @type {any[]} */ (view?.overlays ?? []));
+  const picture = h("div", { class: "space-picture" }, ...(view ? [view.canvas] : []), keyboard, .../** @type {any[]} */ (view?.overlays ?? []));
   stage.append(picture, caption, legend.element, help, message, foot);
   const groupsAt = h("div", { class: "steps-groups solid-groups" });
   aside.append(groupsAt);
