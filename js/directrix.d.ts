@@ -143,6 +143,8 @@ export interface Diagnostic {
   parameter?: number;
   /** Degrees. */
   turn?: number;
+  /** Of a corner: the bisector that stands in for the normal, of length 1, outward on a closed curve. */
+  normal?: Point;
   at?: Point;
 }
 

@@ -115,9 +115,23 @@ test("corners are counted beside their curve and smoothed on request", async (t)
   const smooth = page.locator("[data-action=smooth]");
   await eventually(async () => assert.ok(await smooth.isVisible()));
   assert.match(await page.locator(".corner-note").innerText(), /1 corner/);
+  // In the picture it wears its bisector, and the status line says what it costs.
+  const mark = page.locator(".corner-mark:visible");
+  await eventually(async () => assert.equal(await mark.count(), 1));
+  const [x, y] = await middle(mark.locator(".place"));
+  const [hx, hy] = await middle(handle(page, "A1"));
+  assert.ok(Math.hypot(x - hx, y - hy) < 2, "it lies at the corner");
+  const eta = Number(/η\s*(\S+)/.exec(await status(page))?.[1]);
+  await page.locator("[data-certificate=corners]").click();
+  await eventually(async () => assert.match(await status(page), /The corner: 90°, with the bisector for its normal\. J is [\d.]+.% below its bound/));
+  const told = Number(/J is ([\d.]+)/.exec(await status(page))?.[1]);
+  assert.ok(eta > 0 && Math.abs(told - 100 * (1 - eta)) <= 0.1, `${told} % below where eta is ${eta}`);
+  await eventually(async () => assert.match(await spoken(page), /On inner, x 8\.00, y 8\.00/));
+  assert.ok(await mark.evaluate((element) => element.classList.contains("chosen")));
   await smooth.click();
   await eventually(async () => assert.equal((await documentOf(page)).curves[0].form, "periodic"));
   await eventually(async () => assert.ok(await smooth.isHidden()));
+  await eventually(async () => assert.equal(await mark.count(), 0));
   await page.keyboard.press("Control+z");
   await eventually(async () => assert.ok(await smooth.isVisible()));
 });
