@@ -139,6 +139,9 @@ onOnePage("a bad file is refused with its reason", {
     const buffer = Buffer.from(JSON.stringify(document));
     await page.locator("[data-file]").setInputFiles({ name: "high.json", mimeType: "application/json", buffer });
     await eventually(async () => assert.match(await status(page), /curves\[0\]\.points\[3\]\[1\]/));
+    const isWhole = await page.locator("[data-reason]").evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth);
+    assert.ok(isWhole, "the reason is read to its end");
+    assert.doesNotMatch(await status(page), /mean/, "measures make room for it");
   },
 });
 

@@ -43,7 +43,7 @@ export function createStatus(app) {
           : [label(strings.status.loading)];
       element.replaceChildren(
         h("div", { class: "certificates" }, ...left),
-        h("div", { class: "remark" }, ...remark(app, match, slow)),
+        h("div", { class: note?.tone === "error" ? "remark told" : "remark" }, ...remark(app, match, slow)),
       );
       element.dataset.verdict = problem
         ? "error"
