@@ -206,6 +206,7 @@ onOnePage("commands", {
     assert.ok(eta > 0 && Math.abs(told - 100 * (1 - eta)) <= 0.1, `${told} % below where eta is ${eta}`);
     await eventually(async () => assert.match(await spoken(page), /On inner, x 8\.00, y 8\.00/));
     assert.ok(await mark.evaluate((element) => element.classList.contains("chosen")));
+    assert.deepEqual(await audit(page), []);
     await smooth.click();
     await eventually(async () => assert.equal((await documentOf(page)).curves[0].form, "periodic"));
     await eventually(async () => assert.ok(await smooth.isHidden()));

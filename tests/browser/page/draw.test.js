@@ -8,6 +8,7 @@ import { documentOf, eventually, pick, spoken, status, uiOf } from "./workbench.
 test("a new document is empty, says what to do, and keeps the page whole", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
+  assert.equal(await page.locator("input[data-field=lines]").inputValue(), "44", "as many lines as there will be samples");
   for (const name of ["draw", "gallery", "import"]) assert.ok(await page.locator(`[data-empty=${name}]`).isVisible());
   assert.match(await status(page), /No curve yet/);
   assert.ok(await page.locator("[data-play]").isDisabled());

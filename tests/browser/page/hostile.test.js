@@ -105,6 +105,12 @@ onOnePage("a document is drawn with its fault marked", {
     await open(page, "apart.json", JSON.stringify(apart));
     await eventually(async () => assert.match(await status(page), /No line connects the two curves/));
     assert.notEqual(await page.locator("#status").getAttribute("data-verdict"), "verified");
+    // A corner is a remark, and not the reason.
+    const [curve] = apart.curves;
+    curve.points.splice(1, 0, ...Array.from({ length: curve.degree - 1 }, () => [...curve.points[0]]));
+    await open(page, "corner.json", JSON.stringify({ ...apart, title: "Apart, with a corner" }));
+    await page.locator("[data-certificate=corners], .corner-mark:visible").first().waitFor();
+    await eventually(async () => assert.match(await status(page), /No line connects the two curves/));
   },
 });
 
