@@ -8,7 +8,6 @@ import { documentOf, eventually, pick, spoken, status, uiOf } from "./workbench.
 test("a new document is empty, says what to do, and keeps the page whole", async (t) => {
   const page = await openPage(t);
   await newDocument(page);
-  assert.equal(await page.locator("input[data-field=lines]").inputValue(), "44", "as many lines as there will be samples");
   for (const name of ["draw", "gallery", "import"]) assert.ok(await page.locator(`[data-empty=${name}]`).isVisible());
   assert.match(await status(page), /No curve yet/);
   assert.ok(await page.locator("[data-play]").isDisabled());
@@ -20,6 +19,7 @@ test("a new document is empty, says what to do, and keeps the page whole", async
   assert.deepEqual(await audit(page), []);
   const text = await page.locator("body").innerText();
   assert.doesNotMatch(text, /NaN|Infinity|undefined/);
+  assert.equal(await page.locator("input[data-field=lines]").inputValue(), "44", "as many lines as there will be samples");
   await page.reload();
   await page.waitForSelector("html[data-ready=true]");
   await page.locator("[data-empty=draw]").waitFor();
