@@ -1,0 +1,8 @@
+//! Distances to features on grids, and compositions that are functions of them (Liu, Maekawa, Patrikalakis and others 2003, 3.2).
+//!
+//! Everything is in three dimensions; a grid of one layer is the plane.
+
+mod grid;
+pub mod transform;
+
+pub use grid::{Grid, GridError, MOST_VOXELS};
