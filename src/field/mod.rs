@@ -2,7 +2,13 @@
 //!
 //! Everything is in three dimensions; a grid of one layer is the plane.
 
+mod expression;
 mod grid;
+mod overlap;
+mod profile;
 pub mod transform;
 
+pub use expression::{Expression, ExpressionError, LONGEST_EXPRESSION};
 pub use grid::{Grid, GridError, MOST_VOXELS};
+pub use overlap::{Overlap, Rule};
+pub use profile::{Course, DistanceProfile, ProfileError};
