@@ -20,7 +20,7 @@ pub enum Rule {
 
 /// Profiles on one body, with the composition that holds where none of them acts.
 ///
-/// Eq. 2 itself out Eq. 2 literally, which needs a grid.
+/// [`printed`](super::printed) carries out Eq. 2 literally, which needs a grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlap {
     rule: Rule,
