@@ -10,6 +10,8 @@ use std::fmt;
 const SHORT: f64 = 48.0;
 /// Sums of squares up to which `f32` holds every whole number.
 const EXACT: usize = 1 << 24;
+/// Distances that are made of squares between two looks at the clock.
+const BATCH: usize = 1 << 16;
 
 /// Why there is no transform.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,15 +49,26 @@ impl Error for TransformError {}
 pub struct DistanceJob {
     scale: f64,
     limit: f64,
-    method: Method,
+    work: Work,
 }
 
 #[derive(Debug)]
-enum Method {
-    /// Whole numbers of voxels, or their squares in `f32`.
+enum Work {
+    /// Squares of whole numbers of voxels.
     Voxels(Envelope<f32>),
-    /// Squared lengths, where the spacings differ or the grid is too long for whole numbers.
+    /// Squared lengths, where the spacings differ or the grid is too long for whole numbers in `f32`.
     Lengths(Envelope<f64>),
+    Window(Window),
+    /// Squares become distances; those before the number are done.
+    Rooting(Vec<f32>, usize),
+    Gathering(Levels, Vec<f32>),
+    Done(Vec<f32>),
+}
+
+/// Squares that distances are made of in another place.
+#[derive(Debug)]
+enum Levels {
+    Lengths(Vec<f64>),
     Window(Window),
 }
 
@@ -75,57 +88,91 @@ impl DistanceJob {
         let is_feature = |index: usize| features[index] != 0;
         let longest: usize = grid.size().iter().map(|count| (count - 1).saturating_pow(2)).sum();
         let common = grid.common_spacing().filter(|_| longest <= EXACT);
-        let method = match common {
-            Some(step) if limit / step <= SHORT => {
-                Method::Window(Window::new(grid, (limit / step) as usize, is_feature))
-            }
-            Some(_) => Method::Voxels(Envelope::new(grid, [1.0; 3], is_feature)),
-            None => Method::Lengths(Envelope::new(grid, grid.spacing(), is_feature)),
+        let work = match common {
+            Some(step) if limit / step <= SHORT => Work::Window(Window::new(grid, limit / step, is_feature)),
+            Some(_) => Work::Voxels(Envelope::new(grid, [1.0; 3], is_feature)),
+            None => Work::Lengths(Envelope::new(grid, grid.spacing(), is_feature)),
         };
-        Ok(Self { scale: common.unwrap_or(1.0), limit, method })
+        Ok(Self { scale: common.unwrap_or(1.0), limit, work })
     }
 
     /// Goes on while `may_go_on` says so, at least by a little; returns whether it has come to its end.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> bool {
-        match &mut self.method {
-            Method::Voxels(job) => job.step(may_go_on),
-            Method::Lengths(job) => job.step(may_go_on),
-            Method::Window(job) => job.step(may_go_on),
+        loop {
+            let work = std::mem::replace(&mut self.work, Work::Done(Vec::new()));
+            self.work = self.advance(work, may_go_on);
+            if matches!(self.work, Work::Done(_)) {
+                return true;
+            }
+            if !may_go_on() {
+                return false;
+            }
         }
+    }
+
+    fn advance(&self, work: Work, may_go_on: &mut dyn FnMut() -> bool) -> Work {
+        match work {
+            Work::Voxels(mut job) => match job.step(may_go_on) {
+                true => Work::Rooting(job.into_data(), 0),
+                false => Work::Voxels(job),
+            },
+            Work::Lengths(mut job) => match job.step(may_go_on) {
+                true => Work::Gathering(Levels::Lengths(job.into_data()), Vec::new()),
+                false => Work::Lengths(job),
+            },
+            Work::Window(mut job) => match job.step(may_go_on) {
+                true => Work::Gathering(Levels::Window(job), Vec::new()),
+                false => Work::Window(job),
+            },
+            Work::Rooting(mut levels, next) => {
+                let end = levels.len().min(next + BATCH);
+                for level in &mut levels[next..end] {
+                    *level = self.distance(f64::from(*level));
+                }
+                if end < levels.len() { Work::Rooting(levels, end) } else { Work::Done(levels) }
+            }
+            Work::Gathering(levels, mut found) => {
+                let next = found.len();
+                let count = match &levels {
+                    Levels::Lengths(all) => {
+                        found.extend(all.iter().skip(next).take(BATCH).map(|level| self.distance(*level)));
+                        all.len()
+                    }
+                    Levels::Window(job) => {
+                        let distance = |level: Option<u16>| {
+                            level.map_or(f32::INFINITY, |it| self.distance(f64::from(it)))
+                        };
+                        found.extend(job.levels(next, BATCH).map(distance));
+                        job.count()
+                    }
+                };
+                if found.len() < count { Work::Gathering(levels, found) } else { Work::Done(found) }
+            }
+            Work::Done(found) => Work::Done(found),
+        }
+    }
+
+    fn distance(&self, level: f64) -> f32 {
+        let distance = level.sqrt() * self.scale;
+        if distance <= self.limit { distance as f32 } else { f32::INFINITY }
     }
 
     /// Share of the work that is done.
     #[must_use]
     pub fn progress(&self) -> f64 {
-        match &self.method {
-            Method::Voxels(job) => job.progress(),
-            Method::Lengths(job) => job.progress(),
-            Method::Window(job) => job.progress(),
+        match &self.work {
+            Work::Voxels(job) => 0.9 * job.progress(),
+            Work::Lengths(job) => 0.9 * job.progress(),
+            Work::Window(job) => 0.9 * job.progress(),
+            Work::Rooting(..) | Work::Gathering(..) => 0.95,
+            Work::Done(_) => 1.0,
         }
     }
 
-    /// The distances, once [`step`](Self::step) has returned true.
+    /// The distances, once [`step`](Self::step) has returned true; none before.
     #[must_use]
     pub fn distances(self) -> Vec<f32> {
-        let (scale, limit) = (self.scale, self.limit);
-        let distance = |level: f64| {
-            let distance = level.sqrt() * scale;
-            if distance <= limit { distance as f32 } else { f32::INFINITY }
-        };
-        match self.method {
-            Method::Voxels(job) => {
-                let mut levels = job.into_data();
-                for level in &mut levels {
-                    *level = distance(f64::from(*level));
-                }
-                levels
-            }
-            Method::Lengths(job) => job.into_data().into_iter().map(distance).collect(),
-            Method::Window(job) => job
-                .levels()
-                .map(|level| level.map_or(f32::INFINITY, |level| distance(f64::from(level))))
-                .collect(),
-        }
+        if let Work::Done(found) = self.work { found } else { Vec::new() }
     }
 
     /// Runs the transform to its end.
@@ -156,7 +203,7 @@ mod tests {
                 let grid = Grid::new(size, spacing).unwrap();
                 let features = random_features(&grid, 0.01, seed);
                 let expected = brute_force(&grid, &features);
-                for limit in [None, Some(0.0), Some(1.25), Some(2.0), Some(40.0)] {
+                for limit in [None, Some(0.0), Some(1.25), Some(2.2), Some(40.0)] {
                     let found = distances(&grid, &features, limit).unwrap();
                     for (a, (level, _)) in found.iter().zip(&expected) {
                         let b = level.sqrt();
@@ -170,6 +217,21 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn it_can_be_stopped_at_any_time() {
+        for (size, spacing, limit) in
+            [([30, 20, 4], 1.0, None), ([30, 20, 4], 1.0, Some(5.0)), ([9, 7, 5], 0.5, None)]
+        {
+            let grid = Grid::new(size, [1.0, 1.0, spacing]).unwrap();
+            let features = random_features(&grid, 0.02, 3);
+            let mut job = DistanceJob::new(&grid, &features, limit).unwrap();
+            while !job.step(&mut || false) {
+                assert!((0.0..1.0).contains(&job.progress()));
+            }
+            assert_eq!((job.progress(), job.distances()), (1.0, distances(&grid, &features, limit).unwrap()));
         }
     }
 

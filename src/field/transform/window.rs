@@ -15,7 +15,10 @@ const FAR: i16 = 16_383;
 #[derive(Debug)]
 pub struct Window {
     size: [usize; 3],
-    limit: usize,
+    /// Whole voxels within the limit.
+    reach: usize,
+    /// The greatest square within it.
+    most: i16,
     data: Vec<i16>,
     /// A layer as the axes before have left it, row by row.
     layer: Vec<i16>,
@@ -29,10 +32,21 @@ pub struct Window {
 impl Window {
     /// Starts the transform up to `limit` voxels, [`LONGEST_WINDOW`] at most.
     #[must_use]
-    pub fn new(grid: &Grid, limit: usize, is_feature: impl Fn(usize) -> bool) -> Self {
+    pub fn new(grid: &Grid, limit: f64, is_feature: impl Fn(usize) -> bool) -> Self {
         let data = (0..grid.count()).map(|index| if is_feature(index) { 0 } else { FAR }).collect();
-        let limit = limit.min(LONGEST_WINDOW);
-        Self { size: grid.size(), limit, data, layer: Vec::new(), least: Vec::new(), axis: 0, at: 0, row: 0 }
+        let limit = limit.min(LONGEST_WINDOW as f64);
+        let (reach, most) = (limit as usize, (limit * limit) as i16);
+        Self {
+            size: grid.size(),
+            reach,
+            most,
+            data,
+            layer: Vec::new(),
+            least: Vec::new(),
+            axis: 0,
+            at: 0,
+            row: 0,
+        }
     }
 
     /// Goes on while `may_go_on` says so, at least by a row; returns whether it has come to its end.
@@ -54,10 +68,20 @@ impl Window {
         (self.axis as f64 + self.at as f64 / layers as f64) / 3.0
     }
 
-    /// The squared distance of each voxel, `None` beyond the limit, once [`step`](Self::step) has returned true.
-    pub fn levels(&self) -> impl Iterator<Item = Option<u16>> + '_ {
-        let most = (self.limit * self.limit) as i16;
-        self.data.iter().map(move |level| (*level <= most).then_some(level.unsigned_abs()))
+    /// Number of voxels.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.data.len()
+    }
+
+    /// The squared distance of so many voxels from the first one named on, `None` beyond the limit, once [`step`](Self::step) has returned true.
+    pub fn levels(&self, first: usize, count: usize) -> impl Iterator<Item = Option<u16>> + '_ {
+        let most = self.most;
+        self.data
+            .iter()
+            .skip(first)
+            .take(count)
+            .map(move |level| (*level <= most).then_some(level.unsigned_abs()))
     }
 
     fn advance(&mut self) {
@@ -65,7 +89,7 @@ impl Window {
         match self.axis {
             0 => {
                 let start = (self.at * ny + self.row) * nx;
-                first_pass(&mut self.data[start..start + nx], self.limit);
+                first_pass(&mut self.data[start..start + nx], self.reach);
             }
             axis => {
                 let rows = if axis == 1 { ny } else { nz };
@@ -73,7 +97,14 @@ impl Window {
                     self.keep_layer(rows);
                 }
                 let start = self.start(self.row);
-                gather(&mut self.data[start..start + nx], &self.layer, &self.least, self.row, self.limit);
+                gather(
+                    &mut self.data[start..start + nx],
+                    &self.layer,
+                    &self.least,
+                    self.row,
+                    self.reach,
+                    self.most,
+                );
             }
         }
         self.row += 1;
@@ -106,8 +137,8 @@ impl Window {
 }
 
 /// The first axis, from the last feature on either side.
-fn first_pass(row: &mut [i16], limit: usize) {
-    let square = |voxels: usize| if voxels > limit { FAR } else { (voxels * voxels) as i16 };
+fn first_pass(row: &mut [i16], reach: usize) {
+    let square = |voxels: usize| if voxels > reach { FAR } else { (voxels * voxels) as i16 };
     let mut last = usize::MAX;
     for (n, value) in row.iter_mut().enumerate() {
         if *value == 0 {
@@ -127,10 +158,9 @@ fn first_pass(row: &mut [i16], limit: usize) {
 }
 
 /// A row from those of its layer within the limit.
-fn gather(row: &mut [i16], layer: &[i16], least: &[i16], at: usize, limit: usize) {
+fn gather(row: &mut [i16], layer: &[i16], least: &[i16], at: usize, reach: usize, most: i16) {
     let nx = row.len();
-    let most = (limit * limit) as i16;
-    for away in 1..=limit {
+    for away in 1..=reach {
         let square = (away * away) as i16;
         let both = [at.checked_sub(away), at.checked_add(away).filter(|other| *other < least.len())];
         for other in both.into_iter().flatten() {
@@ -149,19 +179,26 @@ mod tests {
     use super::super::test_grids::{brute_force, random_features, sizes};
     use super::*;
 
-    fn run(grid: &Grid, limit: usize, features: &[u8]) -> Vec<Option<u16>> {
+    fn run(grid: &Grid, limit: f64, features: &[u8]) -> Vec<Option<u16>> {
         let mut job = Window::new(grid, limit, |index| features[index] != 0);
         assert!(job.step(&mut || true));
-        job.levels().collect()
+        job.levels(0, job.count()).collect()
     }
 
     #[test]
     fn distances_up_to_the_limit_are_those_of_all_pairs_and_the_rest_is_far() {
         for (size, seed) in sizes().into_iter().zip(1..) {
             let grid = Grid::new(size, [1.0; 3]).unwrap();
-            for (limit, share) in [(0, 0.1), (1, 0.1), (5, 0.02), (16, 0.004), (LONGEST_WINDOW, 0.003)] {
+            for (limit, share) in [
+                (0.0, 0.1),
+                (1.0, 0.1),
+                (1.5, 0.1),
+                (5.4, 0.02),
+                (16.0, 0.004),
+                (LONGEST_WINDOW as f64, 0.003),
+            ] {
                 let features = random_features(&grid, share, seed);
-                let within = |level: f64| (level <= (limit * limit) as f64).then_some(level as u16);
+                let within = |level: f64| (level <= limit * limit).then_some(level as u16);
                 let expected: Vec<_> =
                     brute_force(&grid, &features).into_iter().map(|(level, _)| within(level)).collect();
                 assert_eq!(run(&grid, limit, &features), expected, "{size:?}, {limit}");
@@ -175,7 +212,7 @@ mod tests {
         let grid = Grid::new([1, 260, 1], [1.0; 3]).unwrap();
         let mut features = vec![0; 260];
         features[0] = 1;
-        let found = run(&grid, LONGEST_WINDOW, &features);
+        let found = run(&grid, LONGEST_WINDOW as f64, &features);
         assert_eq!((found[120], found[121], found[259]), (Some(14_400), None, None));
     }
 
@@ -183,13 +220,13 @@ mod tests {
     fn it_can_be_stopped_after_every_row() {
         let grid = Grid::new([20, 9, 5], [1.0; 3]).unwrap();
         let features = random_features(&grid, 0.02, 9);
-        let mut job = Window::new(&grid, 6, |index| features[index] != 0);
+        let mut job = Window::new(&grid, 6.3, |index| features[index] != 0);
         let mut steps = 1;
         while !job.step(&mut || false) {
             assert!((0.0..1.0).contains(&job.progress()));
             steps += 1;
         }
         assert_eq!(steps, 3 * 45);
-        assert_eq!(job.levels().collect::<Vec<_>>(), run(&grid, 6, &features));
+        assert_eq!(job.levels(0, job.count()).collect::<Vec<_>>(), run(&grid, 6.3, &features));
     }
 }
