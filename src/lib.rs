@@ -139,6 +139,8 @@ pub mod import;
 pub mod matching;
 #[cfg(feature = "curves")]
 pub mod morph;
+#[cfg(feature = "part")]
+pub mod part;
 #[cfg(feature = "curves")]
 pub mod picture;
 #[cfg(feature = "solid")]

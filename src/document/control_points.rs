@@ -24,7 +24,7 @@ pub(super) fn control_points(list: &Node<'_>) -> Result<ControlPoints, DocumentE
     plane_points(list)
 }
 
-fn plane_points(list: &Node<'_>) -> Result<Vec<[f64; 2]>, DocumentError> {
+pub(super) fn plane_points(list: &Node<'_>) -> Result<Vec<[f64; 2]>, DocumentError> {
     let mut points = Vec::new();
     for point in list.items()? {
         points.push(point.pair()?);

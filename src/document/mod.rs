@@ -22,6 +22,8 @@ mod json;
 mod memory;
 mod model;
 mod node;
+#[cfg(feature = "part")]
+mod part;
 #[cfg(feature = "paths")]
 mod paths;
 #[cfg(feature = "solid")]
@@ -66,6 +68,13 @@ pub use json::Json;
 pub use memory::Memory;
 pub use model::Model;
 pub(crate) use node::Node;
+#[cfg(feature = "part")]
+pub use part::{
+    Along, BodySpec, ComposingRule, CourseKey, CourseSpec, FeatureSpec, Geometry, KnownPart, LeafRow,
+    MOST_BODIES, MOST_PART_FEATURES, MOST_PART_POINTS, MOST_PART_RULES, MOST_SHAPES, PartAmounts, PartAnswer,
+    PartAsk, PartDiagnostic, PartDocument, PartJob, PartKind, PartMemory, PartModel, PartRuleSpec,
+    ReferenceSpec, RuleQuantity, ShapeSpec, read_part,
+};
 #[cfg(feature = "paths")]
 pub use paths::{PathOptions, paths};
 #[cfg(feature = "solid")]

@@ -49,6 +49,15 @@ impl<'a> Node<'a> {
         })
     }
 
+    /// The fields of an object with their names.
+    #[cfg(feature = "part")]
+    pub(crate) fn entries(&'a self) -> Result<Vec<(&'a str, Node<'a>)>, DocumentError> {
+        let entry = |(name, value): &'a (String, Json)| {
+            (name.as_str(), Node { value, place: Place::Field(self, name) })
+        };
+        Ok(self.fields()?.iter().map(entry).collect())
+    }
+
     /// The items of a list.
     pub(crate) fn items(&'a self) -> Result<Vec<Node<'a>>, DocumentError> {
         let Json::List(values) = self.value else { return Err(self.expected("a list")) };
@@ -192,7 +201,7 @@ impl<'a> Node<'a> {
     }
 
     /// Tells whether the value is an object.
-    #[cfg(any(feature = "import", feature = "solid"))]
+    #[cfg(any(feature = "import", feature = "part", feature = "solid"))]
     pub(crate) fn is_object(&self) -> bool {
         matches!(self.value, Json::Object(_))
     }

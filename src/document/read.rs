@@ -21,10 +21,12 @@ pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
     let root = Node::root(document, "");
     check_version(&root)?;
     let kind = root.need("kind")?;
-    match kind.choice(&["curves", "part", "hyperpatch"])? {
+    let kinds = ["curves", "part", "hyperpatch"];
+    match kind.choice(&kinds)? {
         0 => curves_document(&root),
-        1 => Err(kind.not_yet("documents of the kind `part`")),
-        _ => Err(kind.error(Code::Kind, "`hyperpatch` was found; expected the kind `curves`".to_owned())),
+        other => {
+            Err(kind.error(Code::Kind, format!("`{}` was found; expected the kind `curves`", kinds[other])))
+        }
     }
 }
 
@@ -182,7 +184,7 @@ mod tests {
 
     #[test]
     fn other_kinds_and_long_texts_are_refused() {
-        expect(Code::NotYet, "kind", |d| d["kind"] = json!("part"));
+        expect(Code::Kind, "kind", |d| d["kind"] = json!("part"));
         expect(Code::Kind, "kind", |d| d["kind"] = json!("hyperpatch"));
         expect(Code::Range, "kind", |d| d["kind"] = json!("mesh"));
         let error = read_text(&" ".repeat(LONGEST_TEXT + 1)).expect_err("refused");

@@ -13,6 +13,6 @@ pub mod transform;
 pub use expression::{Expression, ExpressionError, LONGEST_EXPRESSION};
 pub use grid::{Grid, GridError, MOST_VOXELS};
 pub use overlap::{Overlap, Rule};
-pub use printed::{MOST_PRINTED, Printed, printed};
+pub use printed::{MOST_PRINTED, Printed, PrintedJob, printed};
 pub use profile::{Course, DistanceProfile, ProfileError};
 pub use rules::{DesignRule, Quantity};

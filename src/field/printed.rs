@@ -1,8 +1,9 @@
 //! Eq. 2 as printed, on a grid.
 
-use super::transform::{TransformError, distances};
+use super::transform::{DistanceJob, TransformError};
 use super::{DistanceProfile, Grid};
 use crate::material::Composition;
+use std::collections::BTreeSet;
 
 /// Most profiles whose tree is carried out on a grid: 2^8 leaves, each with transforms of its own.
 pub const MOST_PRINTED: usize = 8;
@@ -16,18 +17,176 @@ pub struct Printed {
     pub leaves: Vec<u32>,
 }
 
-/// Carries out the binary subdivision of Liu and others 2003, 3.2.2 (Eq. 2, Fig. 7) literally: profile after profile, every node N is parted into L = N and V_k, which mixes what it had with the
-/// profile by the distances d1 to the rest of N and d2 to what V_k has outside N, both between voxels, and the rest, which keeps what it
-/// had. Where V_k has nothing outside N, d2 is 0; where nothing is left of N, the profile alone holds; 0 / 0 is one half.
+/// The job that carries out the binary subdivision of Liu and others 2003, 3.2.2 (Eq. 2, Fig. 7) literally, in steps: profile after profile, every node N is parted into
+/// L = N and V_k, which mixes what it had with the profile by the distances d1 to the rest of N and d2 to what V_k has outside N, both between voxels, and the rest, which
+/// keeps what it had. Where V_k has nothing outside N, d2 is 0; where nothing is left of N, the profile alone holds; 0 / 0 is one half.
 ///
 /// It shows what the printed rule does and is not the default: a profile alone fades away from an overlap, and the order of the queue
-/// matters. `near` holds the distances of all voxels to the feature of each profile; `is_inside` says which voxels the body has.
+/// matters.
+#[derive(Debug)]
+pub struct PrintedJob {
+    grid: Grid,
+    is_inside: Vec<bool>,
+    profiles: Vec<DistanceProfile>,
+    near: Vec<Vec<f32>>,
+    made: Printed,
+    /// The profile that is applied, with its band, the leaves before it, and the nodes that it still parts.
+    profile: usize,
+    band: Vec<bool>,
+    before: Vec<u32>,
+    nodes: Vec<u32>,
+    /// Distances to the rest of a node, and then those to what its band has elsewhere.
+    to_rest: Option<DistanceJob>,
+    to_others: Option<DistanceJob>,
+}
+
+impl PrintedJob {
+    /// `near` holds the distances of all voxels to the feature of each profile; `is_inside` says which voxels the body has.
+    ///
+    /// # Errors
+    /// When lists do not have one number for each voxel.
+    ///
+    /// # Panics
+    /// When there are more than [`MOST_PRINTED`] profiles, not as many lists of distances as profiles, or numbers of materials differ.
+    pub fn new(
+        grid: &Grid,
+        is_inside: Vec<bool>,
+        default: &Composition,
+        profiles: Vec<DistanceProfile>,
+        near: Vec<Vec<f32>>,
+    ) -> Result<Self, TransformError> {
+        assert!(profiles.len() <= MOST_PRINTED, "{} profiles", profiles.len());
+        assert_eq!(profiles.len(), near.len(), "distances for each profile");
+        let materials = default.fractions().len();
+        assert!(profiles.iter().all(|each| each.materials() == materials), "numbers of materials differ");
+        let expected = grid.count();
+        let lengths = near.iter().map(Vec::len).chain([is_inside.len()]);
+        if let Some(found) = lengths.into_iter().find(|found| *found != expected) {
+            return Err(TransformError::Length { found, expected });
+        }
+        let inside = |fraction: f64| {
+            is_inside.iter().map(|&is_in| if is_in { fraction as f32 } else { 0.0 }).collect()
+        };
+        let made = Printed {
+            fractions: default.fractions().iter().map(|fraction| inside(*fraction)).collect(),
+            leaves: vec![0; expected],
+        };
+        let mut job = Self {
+            grid: *grid,
+            is_inside,
+            profiles,
+            near,
+            made,
+            profile: 0,
+            band: Vec::new(),
+            before: Vec::new(),
+            nodes: Vec::new(),
+            to_rest: None,
+            to_others: None,
+        };
+        job.part();
+        Ok(job)
+    }
+
+    /// Finds the nodes that the present profile parts.
+    fn part(&mut self) {
+        let Some((profile, near)) = self.profiles.get(self.profile).zip(self.near.get(self.profile)) else {
+            return;
+        };
+        let holds = |(d, is_in): (&f32, &bool)| *is_in && profile.holds(f64::from(*d));
+        self.band = near.iter().zip(&self.is_inside).map(holds).collect();
+        self.before.clone_from(&self.made.leaves);
+        let held = (0..self.band.len()).filter(|n| self.band[*n]).map(|n| self.before[n]);
+        self.nodes = held.collect::<BTreeSet<u32>>().into_iter().rev().collect();
+    }
+
+    /// Advances while `may_go_on` says so, at least by a little; returns whether all is done.
+    ///
+    /// # Errors
+    /// Never: the lists of voxels have the length of the grid.
+    pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Result<bool, TransformError> {
+        while self.profile < self.profiles.len() {
+            if let Some(&node) = self.nodes.last() {
+                self.advance(node, may_go_on)?;
+            } else {
+                self.profile += 1;
+                self.part();
+            }
+            if !may_go_on() {
+                break;
+            }
+        }
+        Ok(self.profile >= self.profiles.len())
+    }
+
+    /// Goes on with a node.
+    fn advance(&mut self, node: u32, may_go_on: &mut dyn FnMut() -> bool) -> Result<(), TransformError> {
+        let of_node = |n: usize| self.is_inside[n] && self.before[n] == node;
+        let start = |is_marked: &dyn Fn(usize) -> bool| {
+            let marks: Vec<u8> = (0..self.band.len()).map(|n| u8::from(is_marked(n))).collect();
+            DistanceJob::new(&self.grid, &marks, None)
+        };
+        let Some(to_rest) = &mut self.to_rest else {
+            self.to_rest = Some(start(&|n| of_node(n) && !self.band[n])?);
+            return Ok(());
+        };
+        if to_rest.progress() < 1.0 {
+            to_rest.step(may_go_on);
+            return Ok(());
+        }
+        let Some(to_others) = &mut self.to_others else {
+            self.to_others = Some(start(&|n| self.band[n] && !of_node(n))?);
+            return Ok(());
+        };
+        if to_others.progress() < 1.0 {
+            to_others.step(may_go_on);
+            return Ok(());
+        }
+        let done = self.to_rest.take().zip(self.to_others.take());
+        if let Some((to_rest, to_others)) = done.map(|(a, b)| (a.distances(), b.distances())) {
+            self.mix(node, &to_rest, &to_others);
+        }
+        self.nodes.pop();
+        Ok(())
+    }
+
+    /// Mixes what a node had with the profile.
+    fn mix(&mut self, node: u32, to_rest: &[f32], to_others: &[f32]) {
+        let profile = &self.profiles[self.profile];
+        let mut own = vec![0.0; profile.materials()];
+        for n in 0..self.band.len() {
+            if !(self.band[n] && self.before[n] == node) {
+                continue;
+            }
+            profile.fractions(f64::from(self.near[self.profile][n]), &mut own);
+            let share = share(to_rest[n], to_others[n]);
+            for (fractions, own) in self.made.fractions.iter_mut().zip(&own) {
+                fractions[n] += share * (*own as f32 - fractions[n]);
+            }
+            self.made.leaves[n] |= 1 << self.profile;
+        }
+    }
+
+    /// Share of the profiles that are applied, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        self.profile as f64 / self.profiles.len().max(1) as f64
+    }
+
+    /// What is made, once all is done.
+    #[must_use]
+    pub fn made(self) -> Printed {
+        self.made
+    }
+}
+
+/// Eq. 2 as [`PrintedJob`] carries it out, at once.
 ///
 /// # Errors
 /// When lists do not have one number for each voxel.
 ///
 /// # Panics
-/// When there are more than [`MOST_PRINTED`] profiles, not as many lists of distances as profiles, or numbers of materials differ.
+/// As [`PrintedJob::new`].
 pub fn printed(
     grid: &Grid,
     is_inside: &[bool],
@@ -35,46 +194,9 @@ pub fn printed(
     profiles: &[DistanceProfile],
     near: &[Vec<f32>],
 ) -> Result<Printed, TransformError> {
-    assert!(profiles.len() <= MOST_PRINTED, "{} profiles", profiles.len());
-    assert_eq!(profiles.len(), near.len(), "distances for each profile");
-    let expected = grid.count();
-    let lengths = near.iter().map(Vec::len).chain([is_inside.len()]);
-    if let Some(found) = lengths.into_iter().find(|found| *found != expected) {
-        return Err(TransformError::Length { found, expected });
-    }
-    let inside =
-        |fraction: f64| is_inside.iter().map(|&is_in| if is_in { fraction as f32 } else { 0.0 }).collect();
-    let mut made = Printed {
-        fractions: default.fractions().iter().map(|fraction| inside(*fraction)).collect(),
-        leaves: vec![0; expected],
-    };
-    let mut own = vec![0.0; default.fractions().len()];
-    for (k, (profile, near)) in profiles.iter().zip(near).enumerate() {
-        assert_eq!(profile.materials(), own.len(), "numbers of materials differ");
-        let band: Vec<bool> =
-            near.iter().zip(is_inside).map(|(d, is_in)| *is_in && profile.holds(f64::from(*d))).collect();
-        let mut nodes: Vec<u32> = (0..expected).filter(|n| band[*n]).map(|n| made.leaves[n]).collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        let before = made.leaves.clone();
-        for node in nodes {
-            let marked = |is_marked: &dyn Fn(usize) -> bool| -> Vec<u8> {
-                (0..expected).map(|n| u8::from(is_marked(n))).collect()
-            };
-            let of_node = |n: usize| is_inside[n] && before[n] == node;
-            let to_rest = distances(grid, &marked(&|n| of_node(n) && !band[n]), None)?;
-            let to_others = distances(grid, &marked(&|n| band[n] && !of_node(n)), None)?;
-            for n in (0..expected).filter(|n| of_node(*n) && band[*n]) {
-                profile.fractions(f64::from(near[n]), &mut own);
-                let share = share(to_rest[n], to_others[n]);
-                for (fractions, own) in made.fractions.iter_mut().zip(&own) {
-                    fractions[n] += share * (*own as f32 - fractions[n]);
-                }
-                made.leaves[n] |= 1 << k;
-            }
-        }
-    }
-    Ok(made)
+    let mut job = PrintedJob::new(grid, is_inside.to_vec(), default, profiles.to_vec(), near.to_vec())?;
+    while !job.step(&mut || true)? {}
+    Ok(job.made())
 }
 
 /// The weight d1 / (d1 + d2) of the profile.
@@ -139,6 +261,29 @@ mod tests {
             let is_held = |at: usize| u32::from(f64::from((at as f64 * (1.0 / n as f64)) as f32) <= 0.3);
             assert_eq!(made.leaves[index], is_held(index % n) | is_held(index / n) << 1);
         }
+    }
+
+    #[test]
+    fn steps_give_what_one_call_gives() {
+        let n = 24;
+        let grid = Grid::new([n, n, 1], [1.0 / n as f64; 3]).unwrap();
+        let mixes = |material: usize| [Composition::pure(material, 3), Composition::pure(2, 3)];
+        let profile =
+            |material: usize| DistanceProfile::new([0.0, 0.3], mixes(material), Course::Linear).unwrap();
+        let along = |axis: usize| -> Vec<f32> {
+            (0..n * n).map(|index| ([index % n, index / n][axis] as f64 / n as f64) as f32).collect()
+        };
+        let default = Composition::pure(2, 3);
+        let profiles = vec![profile(0), profile(1)];
+        let near = vec![along(0), along(1)];
+        let mut job = PrintedJob::new(&grid, vec![true; n * n], &default, profiles, near).unwrap();
+        let mut steps = 0;
+        while !job.step(&mut || false).unwrap() {
+            steps += 1;
+            assert!((0.0..1.0).contains(&job.progress()));
+        }
+        assert!(steps > 10, "{steps}");
+        assert_eq!(job.made(), rectangle(n, [0, 1]));
     }
 
     /// One profile encloses what it acts on: d2 is 0, and it is its function.

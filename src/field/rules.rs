@@ -1,6 +1,7 @@
 //! Design rules.
 
 use super::Grid;
+use std::ops::Range;
 
 /// An inequality on the fraction of a material, or on how fast it changes from place to place (Liu and others 2003, 3.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,26 +33,43 @@ impl DesignRule {
     /// its surface: what happens within a voxel is not seen.
     #[must_use]
     pub fn violations(&self, grid: &Grid, is_inside: &[bool], fractions: &[f32]) -> Vec<u32> {
+        self.violations_within(
+            grid,
+            &|index| is_inside[index],
+            fractions,
+            0..grid.count().min(is_inside.len()),
+        )
+    }
+
+    /// Those among some of the voxels, so that many can be looked through in steps.
+    #[must_use]
+    pub fn violations_within(
+        &self,
+        grid: &Grid,
+        is_inside: &dyn Fn(usize) -> bool,
+        fractions: &[f32],
+        within: Range<usize>,
+    ) -> Vec<u32> {
         let is_broken = |value: f64| value < self.least - SLACK || value > self.most + SLACK;
         let value = |index: usize| match self.of {
             Quantity::Fraction => f64::from(fractions[index]),
             Quantity::Gradient => gradient(grid, is_inside, fractions, index),
         };
-        let count = grid.count().min(is_inside.len()).min(fractions.len());
-        (0..count)
-            .filter(|index| is_inside[*index] && is_broken(value(*index)))
+        let count = grid.count().min(fractions.len());
+        (within.start..within.end.min(count))
+            .filter(|index| is_inside(*index) && is_broken(value(*index)))
             .map(|index| index as u32)
             .collect()
     }
 }
 
 /// The length of the gradient at a voxel of the body.
-fn gradient(grid: &Grid, is_inside: &[bool], fractions: &[f32], index: usize) -> f64 {
+fn gradient(grid: &Grid, is_inside: &dyn Fn(usize) -> bool, fractions: &[f32], index: usize) -> f64 {
     let [nx, ny, nz] = grid.size();
     let along = [(index % nx, nx, 1), (index / nx % ny, ny, nx), (index / (nx * ny), nz, nx * ny)];
     let slope = |((at, count, stride), step): ((usize, usize, usize), f64)| {
-        let before = (at > 0).then(|| index - stride).filter(|other| is_inside[*other]);
-        let after = (at + 1 < count).then(|| index + stride).filter(|other| is_inside[*other]);
+        let before = (at > 0).then(|| index - stride).filter(|other| is_inside(*other));
+        let after = (at + 1 < count).then(|| index + stride).filter(|other| is_inside(*other));
         let steps = usize::from(before.is_some()) + usize::from(after.is_some());
         if steps == 0 {
             return 0.0;
