@@ -1,5 +1,6 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
+import { askingPart, partArguments, partMethods } from "./part.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
 import { spanOf } from "./span.js";
@@ -112,6 +113,18 @@ export function createApi(engine) {
     };
   };
   /**
+   * @param {string} text
+   * @param {import("./part.js").Question | "part"} question
+   * @param {object} rest
+   */
+  const parted = (text, question, rest) => {
+    const work = ask(() => askingPart(whole(engine, "part"), text, question, rest));
+    return {
+      step: (/** @type {number} */ budget) => ask(() => work.step(budget)),
+      end: () => ({ answer: ask(() => work.answer()) }),
+    };
+  };
+  /**
    * A transform under way. Without a limit the field is left out, which JSON has no infinity for.
    *
    * @param {import("./directrix.js").TransformInput} input
@@ -194,9 +207,19 @@ export function createApi(engine) {
       work.step(Infinity);
       return work.end().distances;
     },
-    job(document, { paint, solid, solidFile, hyperpatch, distanceTransform, coarse = paint?.coarse ?? false, greedy = false } = {}) {
+    part(document) {
+      const text = ask(() => toText(document));
+      const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
+        const work = parted(text, question, rest);
+        work.step(Infinity);
+        return work.end().answer;
+      };
+      return { ...answer("part", {}), ...partMethods((question, args) => answer(question, partArguments(question, args))) };
+    },
+    job(document, { paint, solid, solidFile, hyperpatch, part, distanceTransform, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       const free = distanceTransform && transforming(distanceTransform);
-      const asked = free ?? (hyperpatch && body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {}));
+      const ofPart = part && parted(ask(() => toText(document)), /** @type {any} */ (part.question), part.rest ?? {});
+      const asked = free ?? ofPart ?? (hyperpatch && body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {}));
       if (asked) {
         /** @type {import("./directrix.js").Progress | undefined} */
         let last;

@@ -28,6 +28,10 @@ export async function connect(options = {}) {
       const { body } = await import("./remote-body.js");
       return body((args) => client.call("hyperpatch", args), document, control);
     },
+    part: async (/** @type {any} */ document, /** @type {any} */ control) => {
+      const { remotePart } = await import("./remote-part.js");
+      return remotePart((args) => client.call("part", args), document, control);
+    },
     close: () => client.close(),
     runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {

@@ -109,6 +109,68 @@ export interface HyperpatchDocument {
   operations: { op: string; [field: string]: unknown }[];
 }
 
+/** A part document; docs/format.md defines every field. */
+export interface PartDocument {
+  directrix: 1;
+  kind: "part";
+  title?: string;
+  unit?: string;
+  materials?: Material[];
+  /** Reference geometry, by its names. */
+  shapes?: ({ name: string } & PartShape)[];
+  /** A later one lies over an earlier one. */
+  bodies: PartBody[];
+  rules?: { name?: string; material: number; of?: "fraction" | "gradient"; least?: number; most?: number }[];
+}
+
+export type PartShape =
+  | { kind: "point"; at: Point }
+  | { kind: "line"; through: Point; direction: Point }
+  | { kind: "segment"; from: Point; to: Point }
+  | { kind: "circle"; center: Point; radius: number }
+  | { kind: "polygon" | "polyline"; points: Point[] }
+  | { kind: "curve"; degree: number; form: "periodic" | "clamped" | "open"; points: Point[]; knots?: number[] };
+
+export interface PartBody {
+  name: string;
+  /** Name of a closed shape. */
+  outline: string;
+  /** Names of closed shapes that are cut out. */
+  holes?: string[];
+  /** Composition where no feature acts. */
+  default?: number[];
+  rule?: "repaired" | "depth" | "printed";
+  features?: PartFeature[];
+}
+
+/** The name of a shape, or the boundary of a body without what lies on some shapes. */
+export type PartReference = string | { boundary: string; except?: string[] };
+
+/** Composition as a function of the distance to `reference`, or of `distance`, an expression in the distances to `references`. */
+export interface PartFeature {
+  name?: string;
+  hidden?: boolean;
+  reference?: PartReference;
+  references?: { [name: string]: PartReference };
+  distance?: string;
+  from?: number;
+  to: number;
+  /** Required, but for a `piecewise` course. */
+  start?: number[];
+  end?: number[];
+  /** The materials that `start`, `end` and `keys` speak of; the others have the fraction 0. */
+  materials?: number[];
+  course?: PartCourse;
+}
+
+export type PartCourse =
+  | { kind: "linear" | "smoothstep" }
+  | { kind: "power"; power: number }
+  | { kind: "exponential"; rate: number }
+  | { kind: "periodic"; waves: number }
+  | { kind: "piecewise"; keys: { at: number; mix: number[] }[] }
+  | { kind: "expression"; text: string };
+
 export type DocumentInput = CurvesDocument | SpaceDocument | string;
 
 /** What the matching of curves in space takes for granted: they are seen along one direction, each as lying at its mean height. */
@@ -604,6 +666,8 @@ export interface JobOptions extends MatchOptions {
   solidFile?: SolidFileOptions;
   /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
   hyperpatch?: { question: keyof Hyperpatch; rest?: object };
+  /** A question about a part document: the name of a method of `Part`, or `part`, and its arguments by their names. */
+  part?: { question: Exclude<keyof Part, "bodies" | "diagnostics" | "box"> | "part"; rest?: object };
   greedy?: boolean;
   /** A distance transform; the document is left aside. */
   distanceTransform?: TransformInput;
@@ -815,6 +879,96 @@ export type RemoteHyperpatch = { readonly cells: CellSummary[] } & {
   [K in Exclude<keyof Hyperpatch, "cells">]: Asynchronous<Hyperpatch[K]>;
 };
 
+/** What there is to say about a part document that could be read; docs/api.md lists the codes. */
+export interface PartDiagnostic {
+  code: string;
+  /** Whether what stands at `path` is left out; a remark else. */
+  skipped: boolean;
+  path: string;
+  message: string;
+  body?: number;
+  feature?: number;
+  /** Of an expression: the character at fault, from 0. */
+  character?: number;
+  at?: Point;
+}
+
+/** Two opposite corners. */
+export type Box = [Point, Point];
+
+/** The pixels of a raster. Default: the box of all bodies, and 256 along its longer side. */
+export interface RasterOptions {
+  box?: Box;
+  size?: [number, number];
+}
+
+/** Pixels in rows from the top, evaluated at their centres. */
+export interface PartRaster {
+  size: [number, number];
+  box: Box;
+  /** 0 outside, else one more than the index of the body. */
+  body: Uint8Array;
+  /** One array for each material. */
+  fractions: Float32Array[];
+  /** Which features hold a pixel: bit k for the feature k of the body. */
+  leaves: Uint32Array;
+  /** Straight RGBA, transparent outside. */
+  colors?: Uint8Array;
+}
+
+export interface PartPlace {
+  body: number;
+  /** null in a body by the rule `printed`, which needs a raster. */
+  fractions: number[] | null;
+  leaf: number;
+  /** Of each feature that takes part: what its profile is a function of, and whether its band holds that. */
+  distances: { feature: number; name: string; distance: number; holds: boolean }[];
+  /** The feature with the least distance. */
+  nearest: number | null;
+}
+
+/** A part. All methods throw `DirectrixError`. */
+export interface Part {
+  readonly bodies: {
+    name: string;
+    rule: "repaired" | "depth" | "printed";
+    /** Whether it could be made. */
+    made: boolean;
+    box: Box | null;
+    /** Which take part: those that are not hidden and have no fault. */
+    features: { name: string; active: boolean }[];
+  }[];
+  readonly diagnostics: PartDiagnostic[];
+  readonly box: Box | null;
+  evaluate(options?: RasterOptions & { colors?: boolean }): PartRaster;
+  /** null outside all bodies. */
+  probe(point: Point): PartPlace | null;
+  /** At 2 to 10 000 places from one point to another. Fractions are NaN outside, and in bodies by the rule `printed`. */
+  along(ends: [Point, Point], count: number): { body: Uint8Array; fractions: Float64Array[]; leaves: Uint32Array };
+  /** `pixels` has bit k where rule k is broken. */
+  violations(options?: RasterOptions): {
+    size: [number, number];
+    box: Box;
+    rules: { rule: number; name: string; count: number; area: number }[];
+    pixels: Uint32Array;
+  };
+  /** As seen from above: of bodies that lie over each other the later one counts. */
+  amounts(options?: RasterOptions): { area: number; amounts: number[]; bodies: { area: number; amounts: number[] }[] };
+  /** At most 1 048 576 pixels. Default: the first material, every tenth. */
+  isolines(options?: RasterOptions & { material?: number; levels?: number[] }): Isoline[];
+  /** The leaves of the subdivision that there are, each with the features that hold it. */
+  leaves(options?: RasterOptions): { body: number; leaf: number; features: number[]; names: string[]; area: number }[];
+  /** At most 4 194 304 pixels. A `png` of one material is grey; `dither` makes it one of all or nothing. */
+  file(options: RasterOptions & { format: "csv" | "vti" | "nrrd" | "png"; material?: number; dither?: "none" | "diffusion" }): Uint8Array;
+  /** The document with every default spelt out. */
+  defaults(): PartDocument;
+}
+
+/** A part whose questions a worker answers. */
+export type RemotePart = Pick<Part, "bodies" | "diagnostics" | "box"> & {
+  [K in Exclude<keyof Part, "bodies" | "diagnostics" | "box">]: Asynchronous<Part[K]>;
+};
+
 /** Triangles of one part of a solid. */
 export interface SolidGroup {
   name: "surface" | "cap";
@@ -906,13 +1060,15 @@ export interface Directrix {
   solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   hyperpatch(document: HyperpatchDocument | string): Hyperpatch;
+  /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  part(document: PartDocument | string): Part;
   /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
   distanceTransform(input: TransformInput): Float32Array;
   /**
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
-   * these functions; `hyperpatch` is a question about a document of that kind.
+   * these functions; `hyperpatch` and `part` are questions about documents of these kinds.
    */
-  job(document: DocumentInput | HyperpatchDocument | null, options?: JobOptions): Job;
+  job(document: DocumentInput | HyperpatchDocument | PartDocument | null, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {
@@ -940,8 +1096,9 @@ export interface Control {
 type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A, control?: Control]) => Promise<R> : never;
 
 /** The functions of a module in a worker, as promises. */
-export type Connection = { [K in Exclude<keyof Directrix, "job" | "hyperpatch">]: Asynchronous<Directrix[K]> } & {
+export type Connection = { [K in Exclude<keyof Directrix, "job" | "hyperpatch" | "part">]: Asynchronous<Directrix[K]> } & {
   hyperpatch(document: HyperpatchDocument | string, control?: Control): Promise<RemoteHyperpatch>;
+  part(document: PartDocument | string, control?: Control): Promise<RemotePart>;
   /** Ends the worker. */
   close(): void;
   /** The worker of the page's own origin, or one made on the page because the package comes from another. */

@@ -57,6 +57,7 @@ function goal(name, options) {
   if (name === "solid") return { solid: options ?? {} };
   if (name === "solidFile") return { solidFile: options };
   if (name === "hyperpatch") return { hyperpatch: options };
+  if (name === "part") return { part: options };
   return name === "match" ? options : { greedy: GREEDY.has(name) };
 }
 

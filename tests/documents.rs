@@ -89,7 +89,7 @@ fn presets_are_listed_once_each_and_say_what_they_hold() {
     assert!(presets.len() >= 14);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/presets");
     let files = std::fs::read_dir(folder).expect("the folder of presets");
-    // Bodies of hyperpatches have a folder of their own.
+    // Bodies of hyperpatches and parts have folders of their own.
     let mut files: Vec<String> = files
         .map(|file| file.expect("a file").file_name().to_string_lossy().into_owned())
         .filter(|name| name.ends_with(".json"))

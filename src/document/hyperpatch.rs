@@ -76,14 +76,11 @@ pub fn read_hyperpatch(document: &Json) -> Result<HyperpatchDocument, DocumentEr
     let root = Node::root(document, "");
     check_version(&root)?;
     let kind = root.need("kind")?;
-    match kind.choice(&["curves", "part", "hyperpatch"])? {
-        0 => {
-            return Err(
-                kind.error(Code::Kind, "`curves` was found; expected the kind `hyperpatch`".to_owned())
-            );
-        }
-        1 => return Err(kind.not_yet("documents of the kind `part`")),
-        _ => {}
+    let kinds = ["curves", "part", "hyperpatch"];
+    let found = kind.choice(&kinds)?;
+    if found != 2 {
+        let message = format!("`{}` was found; expected the kind `hyperpatch`", kinds[found]);
+        return Err(kind.error(Code::Kind, message));
     }
     root.only(&["directrix", "kind", "title", "unit", "materials", "operations"])?;
     let text = |name: &str, most: usize, default: &str| match root.get(name)? {

@@ -57,7 +57,7 @@ impl Overlap {
     }
 
     /// The profiles, in the order of their queue.
-    pub fn profiles(&self) -> impl ExactSizeIterator<Item = &DistanceProfile> {
+    pub fn profiles(&self) -> impl ExactSizeIterator<Item = &DistanceProfile> + DoubleEndedIterator {
         self.profiles.iter().map(|(profile, _)| profile)
     }
 

@@ -406,3 +406,242 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
         Stage::Printing(index + 1, None)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Feature, Path, Reference, Region, Shape};
+    use super::*;
+    use crate::field::{Course, DistanceProfile, Expression, Overlap, Rule};
+    use crate::material::Composition;
+    use std::rc::Rc;
+
+    fn polygon(points: &[[f64; 2]]) -> Shape {
+        let points: Vec<DVec2> = points.iter().copied().map(DVec2::from_array).collect();
+        Shape::Closed(Rc::new(Path::through(&points, true).expect("points")))
+    }
+
+    fn rectangle(width: f64, height: f64) -> Shape {
+        polygon(&[[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]])
+    }
+
+    fn edge(from: [f64; 2], to: [f64; 2]) -> Shape {
+        let ends = [DVec2::from_array(from), DVec2::from_array(to)];
+        Shape::Open(Rc::new(Path::through(&ends, false).expect("points")))
+    }
+
+    /// From one material to the last of three.
+    fn profile(material: usize, from: f64, to: f64, course: Course) -> DistanceProfile {
+        let mixes = [Composition::pure(material, 3), Composition::pure(2, 3)];
+        DistanceProfile::new([from, to], mixes, course).expect("a profile")
+    }
+
+    fn body(outline: Shape, holes: Vec<Shape>, rule: Rule, parts: Vec<(Shape, DistanceProfile)>) -> Body {
+        let region = Region::new(outline, holes).expect("a region");
+        let slots = (0..parts.len() as u32).collect();
+        let (shapes, profiles): (Vec<Shape>, Vec<DistanceProfile>) = parts.into_iter().unzip();
+        let overlap = Overlap::new(rule, region.bounds().diagonal(), Composition::pure(2, 3), profiles);
+        let features = shapes.into_iter().map(|shape| Feature::new(Reference::shape(shape))).collect();
+        Body { region, composing: Composing::Overlap, overlap, features, slots }
+    }
+
+    fn part(bodies: Vec<Body>) -> Part {
+        Part { materials: 3, bodies: bodies.into_iter().map(Some).collect() }
+    }
+
+    fn raster(part: &Part, size: [usize; 2]) -> Raster {
+        let frame = Frame::new(part.bounds().expect("a body"), size).expect("a frame");
+        RasterJob::new(part, frame).expect("a job").run()
+    }
+
+    /// The rectangle of Fig. 6 with limits of 30.
+    fn two_profiles(rule: Rule) -> Part {
+        let [a, b] = [[0.0, 60.0], [100.0, 0.0]].map(|end| edge([0.0, 0.0], end));
+        let parts =
+            vec![(a, profile(0, 0.0, 30.0, Course::Linear)), (b, profile(1, 0.0, 30.0, Course::Linear))];
+        part(vec![body(rectangle(100.0, 60.0), Vec::new(), rule, parts)])
+    }
+
+    /// Tiles, narrowed candidates and skipped bands give what every pixel by itself gives.
+    #[test]
+    fn a_raster_is_every_pixel_by_itself() {
+        let wavy: Vec<[f64; 2]> = (0..300)
+            .map(|k| {
+                let angle = f64::from(k) * std::f64::consts::TAU / 300.0;
+                let radius = 30.0 + 6.0 * (7.0 * angle).sin();
+                [50.0 + radius * angle.cos(), 40.0 + radius * angle.sin()]
+            })
+            .collect();
+        let outline = polygon(&wavy);
+        let hole = Shape::Circle { center: dvec2(45.0, 42.0), radius: 9.0 };
+        let line = Shape::Line { through: dvec2(0.0, 35.0), direction: dvec2(0.8, 0.6) };
+        let parts = vec![
+            (outline.clone(), profile(0, 0.0, 5.0, Course::Smoothstep)),
+            (hole.clone(), profile(1, 2.0, 8.0, Course::Linear)),
+            (line, profile(0, 0.0, 6.0, Course::Power(2.0))),
+            (Shape::Point(dvec2(70.0, 40.0)), profile(1, 0.0, 7.0, Course::Linear)),
+        ];
+        let mut first = body(outline, vec![hole], Rule::Repaired, parts);
+        let references = [dvec2(60.0, 60.0), dvec2(30.0, 20.0)].map(|at| Reference::shape(Shape::Point(at)));
+        let sum = Expression::new("(a + b) / 2", &["a", "b"]).expect("an expression");
+        first.features[3] = Feature::of_several(references.to_vec(), sum);
+        let over = body(rectangle(30.0, 25.0), Vec::new(), Rule::Depth, Vec::new());
+        let part = part(vec![first, over]);
+        let found = raster(&part, [93, 71]);
+        let mut leaves = std::collections::BTreeSet::new();
+        for at in 0..93 * 71 {
+            let point = found.frame.center(at % 93, at / 93);
+            let place = part.place(point);
+            assert_eq!(
+                usize::from(found.body[at]),
+                place.as_ref().map_or(0, |place| place.body + 1),
+                "{point}"
+            );
+            let fractions: Vec<f32> = found.fractions.iter().map(|list| list[at]).collect();
+            let Some(place) = place else {
+                assert_eq!((fractions, found.leaves[at]), (vec![0.0; 3], 0));
+                continue;
+            };
+            assert_eq!(found.leaves[at], place.leaf, "{point}");
+            leaves.insert(place.leaf);
+            let expected = place.fractions.expect("by its overlap");
+            assert!(
+                fractions.iter().zip(&expected).all(|(a, b)| (f64::from(*a) - b).abs() < 1e-6),
+                "{point}"
+            );
+            assert!((expected.iter().sum::<f64>() - 1.0).abs() < 1e-12 && expected.iter().all(|f| *f >= 0.0));
+        }
+        assert!(leaves.len() > 6, "{leaves:?}");
+    }
+
+    #[test]
+    fn two_profiles_have_four_leaves_and_full_strength_on_their_own_features() {
+        let part = two_profiles(Rule::Repaired);
+        let found = raster(&part, [100, 60]);
+        let leaves: std::collections::BTreeSet<u32> = found.leaves.iter().copied().collect();
+        assert_eq!(leaves.into_iter().collect::<Vec<_>>(), [0, 1, 2, 3]);
+        let at = |x: f64, y: f64| part.place(dvec2(x, y)).and_then(|place| place.fractions).expect("inside");
+        for k in 1..30 {
+            let along = f64::from(k);
+            assert!((at(1e-9, along)[0] - 1.0).abs() < 1e-6 && (at(along, 1e-9)[1] - 1.0).abs() < 1e-6);
+        }
+        // Outside the other band each is its function.
+        assert!((at(12.0, 45.0)[0] - 0.6).abs() < 1e-12 && (at(70.0, 21.0)[1] - 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn compositions_are_continuous_across_leaves_and_the_order_has_no_say() {
+        for rule in [Rule::Repaired, Rule::Depth] {
+            let part = two_profiles(rule);
+            let mut turned = part.clone();
+            let body = turned.bodies[0].as_mut().expect("a body");
+            body.features.reverse();
+            body.slots.reverse();
+            let profiles = body.overlap.profiles().rev().cloned().collect();
+            let default = body.overlap.default_composition().clone();
+            body.overlap = Overlap::new(rule, body.region.bounds().diagonal(), default, profiles);
+            let frame = Frame::new(part.bounds().expect("a body"), [400, 240]).expect("a frame");
+            let [found, other] =
+                [&part, &turned].map(|part| RasterJob::new(part, frame).expect("a job").run());
+            assert_eq!(found.leaves, other.leaves);
+            for (a, b) in found.fractions.iter().zip(&other.fractions) {
+                assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6));
+                // Beyond 5 of the common corner slopes stay below 1 / 5.
+                for at in 0..400 * 240 - 400 {
+                    let place = frame.center(at % 400, at / 400);
+                    for next in [at + 1, at + 400] {
+                        let is_row = at % 400 < 399 || next == at + 400;
+                        let step = 0.25 * if is_row { 1.0 } else { f64::INFINITY };
+                        assert!(
+                            place.length() < 5.0 || f64::from((a[at] - a[next]).abs()) < 0.3 * step,
+                            "{rule:?} at {place}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// The amount of the first material in a rectangle with a linear gradient from an edge, and in a ring about a circle.
+    #[test]
+    fn amounts_converge_to_those_of_closed_forms() {
+        let amount = |raster: &Raster| {
+            let step = raster.frame.step();
+            raster.fractions[0].iter().map(|fraction| f64::from(*fraction)).sum::<f64>() * step.x * step.y
+        };
+        let gradient = vec![(edge([0.0, 0.0], [0.0, 50.0]), profile(0, 0.0, 80.0, Course::Linear))];
+        let straight = part(vec![body(rectangle(100.0, 50.0), Vec::new(), Rule::Repaired, gradient)]);
+        // Half of 80 x 50; pixels meet the limit, so that the midpoint rule is exact.
+        assert!((amount(&raster(&straight, [100, 50])) - 2000.0).abs() < 1e-3);
+
+        let circle = |radius: f64| Shape::Circle { center: dvec2(3.0, -2.0), radius };
+        let ring = vec![(circle(4.0), profile(0, 0.0, 5.0, Course::Linear))];
+        let ring = part(vec![body(circle(10.0), vec![circle(4.0)], Rule::Repaired, ring)]);
+        // 2 pi times the integral of (1 - (r - 4) / 5) r from 4 to 9.
+        let exact = std::f64::consts::TAU * (5.0 * 4.0 / 2.0 + 25.0 / 6.0);
+        let error = |size: usize| (amount(&raster(&ring, [size, size])) - exact).abs() / exact;
+        let errors = [40, 160, 640].map(error);
+        assert!(errors[1] < errors[0] / 4.0 && errors[2] < errors[1] / 4.0 && errors[2] < 1e-4, "{errors:?}");
+    }
+
+    /// The far end of the lone profile fades by Eq. 2 as printed, which the raster carries out; everything else of it is as elsewhere.
+    #[test]
+    fn the_printed_rule_runs_on_the_pixels() {
+        let mut part = two_profiles(Rule::Repaired);
+        part.bodies[0].as_mut().expect("a body").composing = Composing::Printed;
+        let found = raster(&part, [200, 120]);
+        let at = |x: usize| found.fractions[1][119 * 200 + x];
+        assert!(at(190) < 0.5 && at(62) > 0.9, "{} and {}", at(190), at(62));
+        let repaired = raster(&two_profiles(Rule::Repaired), [200, 120]);
+        assert_eq!((&found.leaves, &found.body), (&repaired.leaves, &repaired.body));
+        let alone = found.leaves.iter().enumerate().filter(|(_, leaf)| **leaf == 0).map(|(at, _)| at);
+        assert!(alone.into_iter().all(|at| found.fractions[2][at] == 1.0));
+    }
+
+    #[test]
+    fn steps_give_what_one_call_gives() {
+        let mut part = two_profiles(Rule::Depth);
+        part.bodies.push(two_profiles(Rule::Repaired).bodies.remove(0));
+        part.bodies[1].as_mut().expect("a body").composing = Composing::Printed;
+        let frame = Frame::new(part.bounds().expect("a body"), [37, 21]).expect("a frame");
+        let mut job = RasterJob::new(&part, frame).expect("a job");
+        let (mut steps, mut last) = (0, 0.0);
+        while !job.step(&mut || false) {
+            assert!(job.progress() >= last && job.progress() < 1.0);
+            last = job.progress();
+            steps += 1;
+        }
+        assert!(steps > 30, "{steps}");
+        assert_eq!((job.progress(), job.raster()), (1.0, raster(&part, [37, 21])));
+    }
+
+    #[test]
+    fn frames_without_area_and_beyond_memory_are_refused() {
+        let bounds = |width: f64| Bounds { min: DVec2::ZERO, max: dvec2(width, 1.0) };
+        assert_eq!(Frame::new(bounds(0.0), [4, 4]), Err(FrameError::Empty));
+        assert_eq!(Frame::new(bounds(f64::INFINITY), [4, 4]), Err(FrameError::Empty));
+        assert_eq!(Frame::new(bounds(1.0), [0, 4]), Err(FrameError::Pixels([0, 4])));
+        assert_eq!(Frame::new(bounds(1.0), [4097, 4096]), Err(FrameError::Pixels([4097, 4096])));
+        let frame = Frame::new(bounds(1.0), [4096, 4096]).expect("a frame");
+        let wide = Part { materials: 16, bodies: Vec::new() };
+        assert!(
+            matches!(RasterJob::new(&wide, frame), Err(FrameError::Memory(bytes)) if bytes > MOST_MEMORY)
+        );
+        assert!(RasterJob::new(&Part { materials: 2, bodies: Vec::new() }, frame).is_ok());
+    }
+
+    #[test]
+    fn a_boundary_without_a_side_is_the_rest() {
+        let region =
+            Region::new(rectangle(10.0, 6.0), vec![Shape::Circle { center: dvec2(5.0, 3.0), radius: 1.0 }]);
+        let region = region.expect("a region");
+        let rest = Reference::boundary(&region, &[edge([0.0, 0.0], [10.0, 0.0])]).expect("sides");
+        assert_eq!(
+            (rest.shapes().len(), rest.distance(dvec2(2.0, 0.0)), rest.distance(dvec2(5.0, 2.5))),
+            (2, 2.0, 0.5)
+        );
+        let holes = Reference::boundary(&region, &[rectangle(10.0, 6.0)]).expect("the hole");
+        assert_eq!(holes.shapes().len(), 1);
+        let all = [rectangle(10.0, 6.0), Shape::Circle { center: dvec2(5.0, 3.0), radius: 1.0 }];
+        assert_eq!(Reference::boundary(&region, &all), None);
+    }
+}

@@ -23,6 +23,8 @@ pub struct Engine {
     job: Option<(String, bool, Solve)>,
     #[cfg(feature = "hyperpatch")]
     pub(super) bodies: crate::document::BodyMemory,
+    #[cfg(feature = "part")]
+    pub(super) parts: crate::document::PartMemory,
 }
 
 #[wasm_bindgen]

@@ -17,6 +17,8 @@ mod hyperpatch;
 mod import;
 mod json;
 mod painting;
+#[cfg(feature = "part")]
+mod part;
 #[cfg(feature = "paths")]
 mod paths;
 mod results;

@@ -277,7 +277,7 @@ test("errors carry code, path and place", () => {
 
   for (const [edit, code, path] of /** @type {[(d: any) => void, string, string][]} */ ([
     [(d) => (d.directrix = 2), "version", "directrix"],
-    [(d) => (d.kind = "part"), "not-yet", "kind"],
+    [(d) => (d.kind = "part"), "kind", "kind"],
     [(d) => (d.matching.method = "best"), "range", "matching.method"],
     [(d) => (d.matching.pins = [{ u: 0.1, v: 0.1 }]), "range", "matching.pins"],
     [(d) => (d.matching.colour = 1), "unknown-field", "matching.colour"],

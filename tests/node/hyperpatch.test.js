@@ -207,7 +207,7 @@ test("what is wrong is named by code and path", () => {
   assert.deepEqual(without((d) => (on(d)[7].mix = [1, 0, 0])), { code: "limit", path: `${first}[7].mix` });
   assert.deepEqual(without((d) => (d.operations[0].op = "melt")), { code: "range", path: "operations[0].op" });
   assert.deepEqual(without((d) => (d.directrix = 2)), { code: "version", path: "directrix" });
-  assert.deepEqual(without((d) => (d.kind = "part")), { code: "not-yet", path: "kind" });
+  assert.deepEqual(without((d) => (d.kind = "part")), { code: "kind", path: "kind" });
   assert.deepEqual(without((d) => (d.kind = "curves")), { code: "kind", path: "kind" });
   for (const ask of /** @type {const} */ (["match", "defaults", "solid", "amounts"])) {
     assert.deepEqual(refused(() => dx[ask](documents.cell)), { code: "kind", path: "kind" }, ask);

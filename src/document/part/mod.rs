@@ -10,6 +10,8 @@ mod known;
 mod model;
 mod read;
 mod schema;
+#[cfg(test)]
+mod tests;
 
 pub use ask::PartAsk;
 pub use diagnostic::PartDiagnostic;
