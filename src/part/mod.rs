@@ -17,7 +17,7 @@ pub use body::{Body, Composing, Feature, Part, Place, Region};
 pub use isolines::{PartIsoline, isolines};
 pub use paint::Palette;
 pub use path::Path;
-pub use raster::{Frame, FrameError, MOST_MEMORY, MOST_PIXELS, Raster, RasterJob};
+pub use raster::{Frame, FrameError, MOST_MEMORY, MOST_PIXELS, MOST_PRINTED_PIXELS, Raster, RasterJob};
 pub use reference::Reference;
 pub use shape::Shape;
 pub use writer::{PartFormat, Writer};

@@ -8,10 +8,12 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Deref;
 
-/// Most pixels of a raster: 4096 x 4096.
-pub const MOST_PIXELS: usize = 1 << 24;
-/// Most memory that a raster may need, in bytes: half a gibibyte.
-pub const MOST_MEMORY: usize = 1 << 29;
+/// Most pixels of a raster: 2048 x 2048. More would take too long to hand over at once.
+pub const MOST_PIXELS: usize = 1 << 22;
+/// Most pixels of a raster with a body by the printed rule: 1024 x 1024.
+pub const MOST_PRINTED_PIXELS: usize = 1 << 20;
+/// Most memory that a raster may need, in bytes: 256 MiB.
+pub const MOST_MEMORY: usize = 1 << 28;
 /// Pixels along the side of a tile.
 const TILE: usize = 16;
 
@@ -29,6 +31,8 @@ pub enum FrameError {
     Empty,
     /// There are no pixels, or more than [`MOST_PIXELS`].
     Pixels([usize; 2]),
+    /// There are more than [`MOST_PRINTED_PIXELS`], and a body by the printed rule.
+    Printed([usize; 2]),
     /// So many bytes would be needed, more than [`MOST_MEMORY`].
     Memory(usize),
 }
@@ -40,6 +44,10 @@ impl fmt::Display for FrameError {
             Self::Pixels([x, y]) => {
                 write!(f, "{x} x {y} pixels were found; expected 1 to {MOST_PIXELS} in all")
             }
+            Self::Printed([x, y]) => write!(
+                f,
+                "{x} x {y} pixels were found; expected {MOST_PRINTED_PIXELS} in all at most, because a body is by the printed rule"
+            ),
             Self::Memory(bytes) => {
                 write!(f, "about {} MiB would be needed; expected {} at most", bytes >> 20, MOST_MEMORY >> 20)
             }
@@ -100,6 +108,19 @@ impl Frame {
     pub fn grid(&self) -> Option<Grid> {
         let step = self.step();
         Grid::new([self.size[0], self.size[1], 1], [step.x, step.y, 1.0]).ok()
+    }
+
+    /// Refuses a raster of a part that is too large.
+    ///
+    /// # Errors
+    /// When more memory is needed than [`MOST_MEMORY`], or a body by the printed rule has more than [`MOST_PRINTED_PIXELS`].
+    pub fn check(&self, part: &Part) -> Result<(), FrameError> {
+        let memory = self.memory(part);
+        let is_printed = |body: &Body| body.composing == Composing::Printed;
+        if self.count() > MOST_PRINTED_PIXELS && part.bodies.iter().flatten().any(is_printed) {
+            return Err(FrameError::Printed(self.size));
+        }
+        if memory > MOST_MEMORY { Err(FrameError::Memory(memory)) } else { Ok(()) }
     }
 
     /// Bytes that the raster of a part needs.
@@ -189,12 +210,9 @@ struct Workspace {
 
 impl<P: Deref<Target = Part>> RasterJob<P> {
     /// # Errors
-    /// When more memory is needed than [`MOST_MEMORY`].
+    /// As [`Frame::check`].
     pub fn new(part: P, frame: Frame) -> Result<Self, FrameError> {
-        let memory = frame.memory(&part);
-        if memory > MOST_MEMORY {
-            return Err(FrameError::Memory(memory));
-        }
+        frame.check(&part)?;
         let count = frame.count();
         let near = |body: &Option<Body>| {
             let printed = body.as_ref().filter(|body| body.composing == Composing::Printed);
@@ -359,8 +377,11 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
                         .for_each(|(to, from)| to[at] = *from as f32);
                     continue;
                 }
-                work.own.clear();
-                work.own.extend(work.distances.iter().skip(j * width + i).step_by(pixels));
+                let pixel = j * width + i;
+                work.own.resize(body.features.len(), 0.0);
+                for (k, distance) in work.own.iter_mut().enumerate() {
+                    *distance = work.distances[k * pixels + pixel];
+                }
                 let leaf = body.overlap.fractions(&work.own, &mut work.fractions);
                 self.raster.leaves[at] = body.leaf(leaf);
                 let fractions = self.raster.fractions.iter_mut().zip(&work.fractions);
@@ -620,13 +641,16 @@ mod tests {
         assert_eq!(Frame::new(bounds(0.0), [4, 4]), Err(FrameError::Empty));
         assert_eq!(Frame::new(bounds(f64::INFINITY), [4, 4]), Err(FrameError::Empty));
         assert_eq!(Frame::new(bounds(1.0), [0, 4]), Err(FrameError::Pixels([0, 4])));
-        assert_eq!(Frame::new(bounds(1.0), [4097, 4096]), Err(FrameError::Pixels([4097, 4096])));
-        let frame = Frame::new(bounds(1.0), [4096, 4096]).expect("a frame");
+        assert_eq!(Frame::new(bounds(1.0), [2049, 2048]), Err(FrameError::Pixels([2049, 2048])));
+        let frame = Frame::new(bounds(1.0), [2048, 2048]).expect("a frame");
         let wide = Part { materials: 16, bodies: Vec::new() };
         assert!(
             matches!(RasterJob::new(&wide, frame), Err(FrameError::Memory(bytes)) if bytes > MOST_MEMORY)
         );
         assert!(RasterJob::new(&Part { materials: 2, bodies: Vec::new() }, frame).is_ok());
+        let mut printed = two_profiles(Rule::Repaired);
+        printed.bodies[0].as_mut().expect("a body").composing = Composing::Printed;
+        assert_eq!(RasterJob::new(&printed, frame).err(), Some(FrameError::Printed([2048, 2048])));
     }
 
     #[test]

@@ -57,8 +57,13 @@ impl Reference {
     /// Writes the distances of the pixels of a tile.
     pub(super) fn measure(&self, tile: &Tile, distances: &mut [f64], list: &mut Vec<u32>) {
         distances.fill(f64::INFINITY);
+        // A shape that is farther from the centre than the nearest one by the width of the tile is the nearest one of no pixel.
+        let (center, radius) = tile.disc(tile.all());
+        let reach = self.distance(center) + 2.0 * radius;
         for shape in &self.0 {
-            shape.lower(tile, distances, list);
+            if self.0.len() == 1 || shape.distance(center) <= reach * (1.0 + 1e-12) {
+                shape.lower(tile, distances, list);
+            }
         }
         distances.iter_mut().for_each(|distance| *distance = distance.sqrt());
     }

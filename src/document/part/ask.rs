@@ -9,8 +9,6 @@ use glam::DVec2;
 
 /// Pixels along the longer side of a raster that is not told a size.
 const PIXELS: usize = 256;
-/// Most pixels of a file.
-const MOST_FILED: usize = 1 << 22;
 /// Most pixels between which isolines are drawn.
 const MOST_TRACED: usize = 1 << 20;
 /// Most levels of isolines.
@@ -104,7 +102,7 @@ impl PartAsk {
                 levels: levels(&options)?,
             },
             "file" => {
-                let frame = frame(&["format", "material", "dither"], MOST_FILED)?;
+                let frame = frame(&["format", "material", "dither"], MOST_PIXELS)?;
                 Self::File { frame, format: format(&options, model, &frame)? }
             }
             _ => return Err(root.error(Code::Range, format!("\"{name}\" is no question about a part"))),
@@ -164,10 +162,7 @@ fn read_frame(options: &Node<'_>, model: &PartModel, most: usize) -> Result<Fram
             extent.to_array().map(|along| ((PIXELS as f64 * along / longest).round() as usize).max(1))
         }
     };
-    let frame = Frame::new(bounds, size).and_then(|frame| {
-        let memory = frame.memory(model.part());
-        if memory > crate::part::MOST_MEMORY { Err(FrameError::Memory(memory)) } else { Ok(frame) }
-    });
+    let frame = Frame::new(bounds, size).and_then(|frame| frame.check(model.part()).map(|()| frame));
     frame.map_err(|error| match error {
         FrameError::Empty => DocumentError::new(Code::Range, "options.box", error.to_string()),
         _ => DocumentError::new(Code::Limit, "options.size", error.to_string()),

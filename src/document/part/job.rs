@@ -264,13 +264,21 @@ impl PartJob {
     }
 
     fn color(&self, raster: &Raster, pixels: std::ops::Range<usize>, colors: &mut Vec<u8>) {
-        for at in pixels {
-            if raster.body[at] == 0 {
-                colors.extend([0; 4]);
-            } else {
-                let [r, g, b] = self.known.palette().color(raster.fractions.iter().map(|list| list[at]));
-                colors.extend([r, g, b, u8::MAX]);
+        let mut last = [0; 4];
+        for at in pixels.clone() {
+            // Neighbours are often alike: where no feature acts, and along the lines of a gradient.
+            let is_alike = at > pixels.start
+                && raster.body[at - 1] == raster.body[at]
+                && raster.fractions.iter().all(|list| list[at - 1] == list[at]);
+            if !is_alike {
+                last = if raster.body[at] == 0 {
+                    [0; 4]
+                } else {
+                    let [r, g, b] = self.known.palette().color(raster.fractions.iter().map(|list| list[at]));
+                    [r, g, b, u8::MAX]
+                };
             }
+            colors.extend_from_slice(&last);
         }
     }
 

@@ -16,6 +16,7 @@ use crate::geom::{first_self_contact, segment_crossing, signed_area};
 use crate::material::{Composition, Material};
 use crate::part::{Body, Composing, Feature, Frame, Part, Path, RasterJob, Reference, Region, Shape};
 use glam::DVec2;
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 /// Chord error of a path that follows a curve, over the size of the curve.
@@ -84,6 +85,8 @@ struct Builder<'a> {
     document: &'a PartDocument,
     /// `None` where a shape could not be made.
     shapes: Vec<Option<Shape>>,
+    /// Where shapes cross themselves, of those that were asked.
+    crossings: Vec<OnceCell<Option<DVec2>>>,
     diagnostics: Vec<PartDiagnostic>,
 }
 
@@ -91,7 +94,8 @@ type Made<T> = Result<T, PartDiagnostic>;
 
 impl<'a> Builder<'a> {
     fn new(document: &'a PartDocument) -> Self {
-        let mut builder = Self { document, shapes: Vec::new(), diagnostics: Vec::new() };
+        let crossings = vec![OnceCell::new(); document.shapes.len()];
+        let mut builder = Self { document, shapes: Vec::new(), crossings, diagnostics: Vec::new() };
         for (number, spec) in document.shapes.iter().enumerate() {
             let shape = build_shape(spec, &format!("shapes[{number}]"));
             let shape = builder.kept(shape);
@@ -124,7 +128,8 @@ impl<'a> Builder<'a> {
                 format!("the shape \"{name}\" is open; expected a circle, a polygon or a closed curve");
             return Err(PartDiagnostic::new("open", path, message));
         }
-        match crossing(&self.document.shapes[number].geometry) {
+        let geometry = &self.document.shapes[number].geometry;
+        match self.crossings[number].get_or_init(|| crossing(geometry)) {
             None => Ok(shape.clone()),
             Some(at) => {
                 let message = format!("the shape \"{name}\" crosses itself at ({}, {})", at.x, at.y);

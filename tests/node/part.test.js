@@ -1,0 +1,198 @@
+/** Parts in the package: presets, rasters, questions in steps, diagnostics, and what is refused. */
+import assert from "node:assert/strict";
+import { readFile, readdir } from "node:fs/promises";
+import { join } from "node:path";
+import { test } from "node:test";
+import { DirectrixError, load } from "directrix";
+import { root } from "../../scripts/lib/paths.mjs";
+
+const dx = await load();
+const folder = join(root, "www/presets/part");
+const names = (await readdir(folder)).map((file) => file.replace(".json", ""));
+/** @type {Record<string, any>} */
+const documents = Object.fromEntries(
+  await Promise.all(names.map(async (name) => [name, JSON.parse(await readFile(join(folder, `${name}.json`), "utf8"))])),
+);
+
+/** @param {() => unknown} call */
+function refused(call) {
+  try {
+    call();
+  } catch (error) {
+    assert.ok(error instanceof DirectrixError, String(error));
+    return { code: error.code, path: error.path };
+  }
+  throw new assert.AssertionError({ message: "expected a refusal" });
+}
+
+/** @param {number} a @param {number} b @param {number} by */
+const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a}, not ${b}`);
+
+test("every preset is a part without faults, whose features all act and whose fractions sum to one", () => {
+  assert.equal(names.length, 7);
+  for (const name of names) {
+    const part = dx.part(documents[name]);
+    assert.deepEqual(part.diagnostics, [], name);
+    assert.ok(part.box && part.bodies.every(({ made, features }) => made && features.every(({ active }) => active)), name);
+    const { body, fractions, leaves } = part.evaluate({ size: [200, 120] });
+    let seen = new Uint32Array(part.bodies.length);
+    body.forEach((number, at) => {
+      const sum = fractions.reduce((sum, list) => sum + list[at], 0);
+      near(sum, number === 0 ? 0 : 1, 1e-5);
+      if (number > 0) seen[number - 1] |= leaves[at];
+    });
+    part.bodies.forEach(({ features }, n) => assert.equal(seen[n], 2 ** features.length - 1, `${name}: every feature holds some place`));
+  }
+});
+
+test("the rectangle of two profiles has four leaves, each named, with their areas", () => {
+  const part = dx.part(documents.rectangle);
+  const leaves = part.leaves({ size: [200, 120] });
+  assert.deepEqual(leaves.map(({ names }) => names), [[], ["A"], ["B"], ["A", "B"]]);
+  assert.deepEqual(leaves.map(({ area }) => Math.round(area)), [2100, 900, 2100, 900]);
+  const place = part.probe([12, 45]);
+  assert.ok(place?.fractions);
+  near(place.fractions[0], 0.6, 1e-12);
+  assert.deepEqual([place.body, place.leaf, place.nearest], [0, 1, 0]);
+  assert.deepEqual(place.distances.map(({ name, distance, holds }) => [name, distance, holds]), [["A", 12, true], ["B", 45, false]]);
+  assert.equal(part.probe([-1, 5]), null);
+});
+
+test("of a thin coating under a deep gradient the rules leave nearly all, next to nothing, and less than half", () => {
+  const share = (/** @type {string} */ rule) => {
+    const document = structuredClone(documents.coating);
+    document.bodies[0].rule = rule;
+    const { size, fractions } = dx.part(document).evaluate({ size: [160, 1000] });
+    // The first row of pixels, .025 below the surface, at 5 from the gradient's edge.
+    return fractions[0][Math.floor((5 / 80) * size[0])];
+  };
+  const [repaired, depth, printed] = ["repaired", "depth", "printed"].map(share);
+  assert.ok(repaired > 0.95 && depth < 0.03 && printed < 0.5, `${repaired}, ${depth}, ${printed}`);
+});
+
+test("amounts, isolines, lines and rules agree with closed forms", () => {
+  const part = dx.part({
+    directrix: 1,
+    kind: "part",
+    materials: [{ name: "a", color: "#000000" }, { name: "b", color: "#ffffff" }],
+    shapes: [
+      { name: "disc", kind: "circle", center: [0, 0], radius: 10 },
+      { name: "bore", kind: "circle", center: [0, 0], radius: 4 },
+    ],
+    bodies: [{ name: "ring", outline: "disc", holes: ["bore"], default: [0, 1], features: [{ reference: "bore", to: 5, start: [1, 0] }] }],
+    rules: [{ name: "at most half", material: 0, most: 0.5 }, { material: 0, of: "gradient", most: 0.25 }],
+  });
+  const exact = 2 * Math.PI * (10 + 25 / 6);
+  const error = (/** @type {number} */ size) => Math.abs(part.amounts({ size: [size, size] }).amounts[0] - exact) / exact;
+  assert.ok(error(500) < 1e-3 && error(500) < error(50), `${error(50)}, ${error(500)}`);
+  for (const { level, lines, closed } of part.isolines({ size: [200, 200], levels: [0.25, 0.5, 0.75] })) {
+    assert.deepEqual(closed, [true]);
+    for (const [x, y] of lines[0]) near(Math.hypot(x, y), 4 + 5 * (1 - level), 5e-3);
+  }
+  const { body, fractions } = part.along([[0, 0], [10, 0]], 101);
+  assert.deepEqual([body[20], body[60]], [0, 1]);
+  assert.ok(Number.isNaN(fractions[0][20]));
+  near(fractions[0][60], 0.6, 1e-12);
+  const { rules, pixels } = part.violations({ size: [400, 400] });
+  assert.deepEqual(rules.map(({ name, count }) => [name, count > 0]), [["at most half", true], ["Rule 2", false]]);
+  near(rules[0].area, Math.PI * (6.5 ** 2 - 16), 1);
+  assert.equal(pixels.filter((mask) => mask === 1).length, rules[0].count);
+});
+
+test("a raster has its box and colours from the top", () => {
+  const part = dx.part(documents.rectangle);
+  const raster = part.evaluate({ box: [[-10, -10], [110, 70]], size: [120, 80], colors: true });
+  assert.deepEqual([raster.size, raster.box, raster.fractions.length], [[120, 80], [[-10, -10], [110, 70]], 3]);
+  assert.ok(raster.colors);
+  const at = (/** @type {number} */ i, /** @type {number} */ j) => [.../** @type {Uint8Array} */ (raster.colors).subarray(4 * (120 * j + i), 4 * (120 * j + i) + 4)];
+  assert.deepEqual(at(0, 0), [0, 0, 0, 0]);
+  assert.deepEqual(at(105, 12), [240, 228, 66, 255], "yellow far from both edges");
+  const [red, , , alpha] = at(10, 12);
+  assert.ok(red > 205 && alpha === 255, "red at the left edge");
+});
+
+test("a question runs in short steps, whatever it is", () => {
+  for (const [name, question, rest] of /** @type {const} */ ([
+    ["tool", "evaluate", { options: { size: [300, 200], colors: true } }],
+    ["scaffold", "violations", { options: { size: [300, 200] } }],
+    ["lens", "file", { options: { format: "csv", size: [300, 100] } }],
+  ])) {
+    const job = dx.job(documents[name], { part: { question, rest } });
+    let [steps, last] = [1, 0];
+    let state = job.step(0);
+    for (; !state.done; state = job.step(0)) {
+      assert.ok(state.progress >= 0 && state.progress < 1);
+      last = state.progress;
+      steps += 1;
+    }
+    assert.ok(steps > 100 && last > 0.5, `${name}: ${steps} steps, ${last}`);
+    assert.deepEqual(state.answer, dx.part({ ...documents[name], title: "anew" })[question](/** @type {any} */ (rest.options)), name);
+  }
+});
+
+test("files have what their formats promise", () => {
+  const part = dx.part(documents.lens);
+  const text = (/** @type {Uint8Array} */ bytes) => new TextDecoder("latin1").decode(bytes);
+  const csv = text(part.file({ format: "csv", size: [40, 20] })).trim().split("\n");
+  assert.equal(csv[0], "x,y,body,leaf,crown glass,flint glass,coating");
+  const inside = part.evaluate({ size: [40, 20] }).body.filter((number) => number > 0).length;
+  assert.equal(csv.length - 1, inside);
+  const size = /** @type {[number, number]} */ ([40, 20]);
+  assert.match(text(part.file({ format: "vti", size })), /^<\?xml[^]*<ImageData WholeExtent="0 39 0 19 0 0"[^]*Name="1 flint glass"/);
+  assert.match(text(part.file({ format: "nrrd", size })), /^NRRD0004\n[^]*sizes: 40 20 3\n/);
+  for (const options of [{}, { material: 1 }, { material: 1, dither: /** @type {const} */ ("diffusion") }]) {
+    assert.equal(text(part.file({ format: "png", size, ...options }).subarray(1, 4)), "PNG");
+  }
+});
+
+test("a fault is said at the feature, and the rest works", () => {
+  const document = structuredClone(documents.rectangle);
+  document.bodies[0].features[0].course = { kind: "expression", text: "1 - exp(-d / )" };
+  const part = dx.part(document);
+  assert.equal(part.diagnostics.length, 1);
+  const [{ code, path, body, feature, character, skipped }] = part.diagnostics;
+  assert.deepEqual({ code, path, body, feature, character, skipped }, {
+    code: "expression",
+    path: "bodies[0].features[0].course.text",
+    body: 0,
+    feature: 0,
+    character: 13,
+    skipped: true,
+  });
+  assert.deepEqual(part.bodies[0].features.map(({ active }) => active), [false, true]);
+  assert.equal(part.probe([70, 10])?.leaf, 2);
+});
+
+test("defaults are spelt out and stay the same document", () => {
+  for (const name of names) {
+    const whole = dx.part(documents[name]).defaults();
+    assert.deepEqual(dx.part(whole).defaults(), whole, name);
+    assert.equal(whole.bodies[0].rule, "repaired");
+    const [found, expected] = [whole, documents[name]].map((document) => dx.part(document).evaluate({ size: [60, 40] }));
+    assert.deepEqual(found, expected, name);
+  }
+});
+
+test("what is wrong is named by code and path", async () => {
+  const without = (/** @type {(document: any) => void} */ edit) => {
+    const document = structuredClone(documents.rectangle);
+    edit(document);
+    return refused(() => dx.part(document));
+  };
+  assert.deepEqual(without((d) => (d.kind = "curves")), { code: "kind", path: "kind" });
+  assert.deepEqual(without((d) => (d.directrix = 2)), { code: "version", path: "directrix" });
+  assert.deepEqual(without((d) => (d.bodies[0].features[1].to = NaN)), { code: "non-finite", path: "bodies[0].features[1].to" });
+  assert.deepEqual(without((d) => (d.bodies[0].features[1].start = [0, 1, 1])), { code: "range", path: "bodies[0].features[1].start" });
+  assert.deepEqual(without((d) => (d.shapes[1].name = "edge B")), { code: "range", path: "shapes[2].name" });
+  for (const ask of /** @type {const} */ (["match", "defaults", "solid", "amounts", "hyperpatch"])) {
+    assert.deepEqual(refused(() => dx[ask](documents.rectangle)), { code: "kind", path: "kind" }, ask);
+  }
+  const part = dx.part(documents.rectangle);
+  assert.deepEqual(refused(() => part.evaluate({ size: [4096, 4096] })), { code: "limit", path: "options.size" });
+  assert.deepEqual(refused(() => part.evaluate(/** @type {any} */ ({ size: [3] }))), { code: "range", path: "options.size" });
+  assert.deepEqual(refused(() => part.probe([0, Infinity])), { code: "non-finite", path: "point[1]" });
+  assert.deepEqual(refused(() => part.isolines({ material: 3 })), { code: "range", path: "options.material" });
+  const figure = await load({ module: "figure" });
+  assert.equal(refused(() => figure.part(documents.rectangle)).code, "not-in-module");
+  assert.equal(refused(() => figure.match(documents.rectangle)).code, "kind");
+});
