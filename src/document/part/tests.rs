@@ -445,7 +445,7 @@ fn mutated_documents_never_panic() {
     ]);
     start["bodies"][0]["holes"] = json!(["bore"]);
     let mut read = 0;
-    for first in 0..3000_u64 {
+    for first in 0..6000_u64 {
         let mut seed = first;
         let mut value = start.clone();
         for _ in 0..=random(&mut seed, 3) {
