@@ -244,7 +244,8 @@ const coating = part(
 /** JSON with lists of numbers, and small objects, on a line each. @param {object} document */
 function textOf(document) {
   const short = (/** @type {unknown} */ value) => JSON.stringify(value).replace(/([,:])(?=\S)/g, "$1 ");
-  const written = (/** @type {unknown} */ value, /** @type {string} */ indent) => {
+  /** @param {unknown} value @param {string} indent @returns {string} */
+  const written = (value, indent) => {
     if (typeof value !== "object" || value === null || short(value).length + indent.length <= 130) return short(value);
     const inner = `${indent} `;
     const isList = Array.isArray(value);

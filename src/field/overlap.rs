@@ -77,13 +77,27 @@ impl Overlap {
             long.resize(materials, 0.0);
             long.as_mut_slice()
         };
-        let (mut leaf, mut sum) = (0, 0.0);
+        let holds = |(k, (profile, _)): (usize, &(DistanceProfile, [bool; 2]))| {
+            u32::from(profile.holds(distances[k])) << k
+        };
+        let leaf = self.profiles.iter().enumerate().map(holds).fold(0, |leaf, bit| leaf | bit);
+        if leaf == 0 {
+            fractions.copy_from_slice(self.default.fractions());
+            return 0;
+        }
+        if leaf.is_power_of_two() {
+            // One profile alone is its function: its weight cancels.
+            let k = leaf.trailing_zeros() as usize;
+            let (profile, meets) = &self.profiles[k];
+            profile.tapered(distances[k], &self.default, *meets, fractions);
+            return leaf;
+        }
+        let mut sum = 0.0;
         fractions.fill(0.0);
         for (k, ((profile, meets), &distance)) in self.profiles.iter().zip(distances).enumerate() {
-            if !profile.holds(distance) {
+            if (leaf >> k) & 1 == 0 {
                 continue;
             }
-            leaf |= 1 << k;
             let weight = self.weight(profile, distance);
             if weight > 0.0 {
                 profile.tapered(distance, &self.default, *meets, own);
