@@ -62,7 +62,7 @@ pub fn isolines(raster: &Raster, material: usize, level: f32) -> Vec<PartIsoline
     }
     let place = |side: usize| {
         let n = side / 2;
-        let other = if side % 2 == 0 { n + 1 } else { n + nx };
+        let other = if side.is_multiple_of(2) { n + 1 } else { n + nx };
         let t = f64::from((level - values[n]) / (values[other] - values[n])).clamp(0.0, 1.0);
         let center = |n: usize| raster.frame.center(n % nx, n / nx);
         center(n).lerp(center(other), t)

@@ -4,6 +4,8 @@ import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import { DirectrixError, load } from "directrix";
+import { remotePart } from "../../js/remote-part.js";
+import { inTurns } from "../../js/turns.js";
 import { root } from "../../scripts/lib/paths.mjs";
 
 const dx = await load();
@@ -128,6 +130,24 @@ test("a question runs in short steps, whatever it is", () => {
     assert.ok(steps > 100 && last > 0.5, `${name}: ${steps} steps, ${last}`);
     assert.deepEqual(state.answer, dx.part({ ...documents[name], title: "anew" })[question](/** @type {any} */ (rest.options)), name);
   }
+});
+
+test("over a connection a part answers the same, and not what nobody waits for", async () => {
+  let isWanted = true;
+  const send = async (/** @type {any[]} */ args) => {
+    const found = await inTurns(dx, { name: "part", args: args.slice(0, 2) }, { isWanted: () => isWanted, onprogress: () => {} });
+    return found?.value ?? null;
+  };
+  const document = { ...documents.base, title: "over a connection" };
+  const [there, here] = [await remotePart(send, document), dx.part(documents.base)];
+  assert.deepEqual([there.bodies, there.diagnostics, there.box], [here.bodies, here.diagnostics, here.box]);
+  const size = /** @type {[number, number]} */ ([80, 60]);
+  assert.deepEqual(await there.evaluate({ size, colors: true }), here.evaluate({ size, colors: true }));
+  assert.deepEqual(await there.probe([60, 50], { onprogress: () => {} }), here.probe([60, 50]));
+  assert.deepEqual(await there.along([[0, 15], [120, 15]], 5), here.along([[0, 15], [120, 15]], 5));
+  assert.deepEqual(await there.defaults(), { ...here.defaults(), title: "over a connection" });
+  isWanted = false;
+  assert.equal(await there.evaluate({ size: [900, 700] }), null);
 });
 
 test("files have what their formats promise", () => {

@@ -197,7 +197,7 @@ fn format(options: &Node<'_>, model: &PartModel, frame: &Frame) -> Result<PartFo
                     Some(node) => node.choice(&["none", "diffusion"])? == 1,
                     None => false,
                 };
-                return Ok(checked(PartFormat::Slice { material, is_dithered }, frame)?);
+                return checked(PartFormat::Slice { material, is_dithered }, frame);
             }
         },
     };

@@ -29,13 +29,13 @@ pub struct PartDiagnostic {
     pub message: String,
     /// Index of the body.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub body: Option<usize>,
+    pub body: Option<u32>,
     /// Index of the feature in the body.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub feature: Option<usize>,
+    pub feature: Option<u32>,
     /// Of an expression: the character, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub character: Option<usize>,
+    pub character: Option<u32>,
     /// A place in the plane.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<[f64; 2]>,

@@ -141,7 +141,7 @@ impl<'a> Builder<'a> {
 
     fn region(&mut self, number: usize, spec: &BodySpec) -> Option<Region> {
         let path = format!("bodies[{number}].outline");
-        let of_body = |fault: PartDiagnostic| PartDiagnostic { body: Some(number), ..fault };
+        let of_body = |fault: PartDiagnostic| PartDiagnostic { body: Some(number as u32), ..fault };
         let outline = self.ring(&spec.outline, &path).map_err(of_body);
         let outline = self.kept(outline)?;
         let mut holes = Vec::new();
@@ -194,8 +194,11 @@ impl<'a> Builder<'a> {
         let (mut features, mut profiles, mut slots) = (Vec::new(), Vec::new(), Vec::new());
         for (k, feature) in spec.features.iter().enumerate().filter(|(_, feature)| !feature.hidden) {
             let path = format!("bodies[{number}].features[{k}]");
-            let of_feature =
-                |fault: PartDiagnostic| PartDiagnostic { body: Some(number), feature: Some(k), ..fault };
+            let of_feature = |fault: PartDiagnostic| PartDiagnostic {
+                body: Some(number as u32),
+                feature: Some(k as u32),
+                ..fault
+            };
             if spec.rule == ComposingRule::Printed && features.len() == MOST_PRINTED {
                 let message = format!("the printed rule takes {MOST_PRINTED} features at most");
                 self.diagnostics.push(of_feature(PartDiagnostic::new("limit", path, message)));
@@ -407,7 +410,7 @@ fn build_profile(spec: &FeatureSpec, path: &str) -> Made<DistanceProfile> {
 
 fn unreadable(error: &ExpressionError, path: String) -> PartDiagnostic {
     let fault = PartDiagnostic::new("expression", path, error.to_string());
-    PartDiagnostic { character: Some(error.at), ..fault }
+    PartDiagnostic { character: Some(error.at as u32), ..fault }
 }
 
 /// Whether it is certain that no point of the box of a body has a distance within the band of a profile; not said of functions of distances.
