@@ -189,6 +189,20 @@ impl Cell {
         Ok(Self { net, fractions: self.fractions.clone() })
     }
 
+    /// The coefficients to be changed in place; whoever does so [checks](Cell::check) them afterwards, and keeps the
+    /// compositions in the simplex.
+    pub(super) fn coefficients_mut(&mut self) -> (&mut Net, &mut [[f64; 64]]) {
+        (&mut self.net, &mut self.fractions)
+    }
+
+    /// Whether positions that were changed in place are finite and not too large.
+    ///
+    /// # Errors
+    /// The first that is not.
+    pub(super) fn check(&self) -> Result<(), CellError> {
+        check_positions(&self.net)
+    }
+
     /// The two cells on either side of `t` along an axis. Together they are the cell: neither shape nor material
     /// changes.
     ///

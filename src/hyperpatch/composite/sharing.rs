@@ -78,7 +78,7 @@ impl Sharing {
     /// The state before the first cell of a body is [added](Sharing::add), for work in steps.
     #[must_use]
     pub fn start(body: &Body) -> Self {
-        let tolerance = WELD * size(body);
+        let tolerance = body.tolerance();
         let origin = body.cells().first().map_or(DVec3::ZERO, |(_, cell)| cell.net().0[0]);
         Self {
             tolerance,
@@ -173,17 +173,6 @@ impl Sharing {
             |matching: &Matching| (0..16).all(|place| first[place] == second[matching.coefficient(place)]);
         Matching::all().into_iter().find(fits).map(|matching| SharedFace { sides: [a, b], matching })
     }
-}
-
-/// Length of the diagonal of the box of all control points; never zero.
-pub(super) fn size(body: &Body) -> f64 {
-    let (lo, hi) = body
-        .cells()
-        .iter()
-        .map(|(_, cell)| cell.net().bounds())
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
-    let diagonal = (hi - lo).length();
-    if diagonal.is_finite() && diagonal > 0.0 { diagonal } else { 1.0 }
 }
 
 /// The numbers of an edge in the direction that comes first.
