@@ -191,6 +191,18 @@ impl Body {
         self.marks.set(side, mark);
     }
 
+    /// Puts every mark at other sides.
+    pub(in crate::hyperpatch) fn rename_marks(&mut self, renamed: impl Fn(Side) -> Side) {
+        let marks = std::mem::take(&mut self.marks);
+        self.marks.copy(&marks, |side| Some(renamed(side)));
+    }
+
+    /// Repeats marks for other cells; `renamed` says what a side becomes, or that it has no counterpart.
+    pub(in crate::hyperpatch) fn repeat_marks(&mut self, renamed: impl Fn(Side) -> Option<Side>) {
+        let marks = self.marks.clone();
+        self.marks.copy(&marks, renamed);
+    }
+
     /// Length of the diagonal of the box of all control points; never zero.
     #[must_use]
     pub fn size(&self) -> f64 {

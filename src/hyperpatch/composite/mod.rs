@@ -23,3 +23,4 @@ pub use marks::{Mark, Marks, Side};
 pub use relation::{Pairs, Relation, relate};
 pub use sharing::{Matching, SharedFace, Sharing};
 pub use verdicts::Verdicts;
+pub(super) use weld::Weld;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 /// Numbers points so that those within the tolerance of an earlier one get its number.
 #[derive(Debug, Clone)]
-pub(super) struct Weld {
+pub(in crate::hyperpatch) struct Weld {
     tolerance: f64,
     /// A point nearby, from which cubes are counted.
     origin: DVec3,
@@ -16,12 +16,12 @@ pub(super) struct Weld {
 }
 
 impl Weld {
-    pub(super) fn new(tolerance: f64, origin: DVec3) -> Self {
+    pub(in crate::hyperpatch) fn new(tolerance: f64, origin: DVec3) -> Self {
         Self { tolerance, origin, cubes: HashMap::new(), points: Vec::new() }
     }
 
     /// The number of a point, which is the next one for a new point.
-    pub(super) fn number(&mut self, point: DVec3) -> u32 {
+    pub(in crate::hyperpatch) fn number(&mut self, point: DVec3) -> u32 {
         let width = self.tolerance * 8.0;
         let cube = |p: DVec3| ((p - self.origin) / width).floor().to_array().map(|x| x as i64);
         let (lo, hi) = (cube(point - self.tolerance), cube(point + self.tolerance));

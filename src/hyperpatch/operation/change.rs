@@ -82,22 +82,25 @@ pub enum OperationError {
         /// The corner of the cell.
         corner: Corner,
     },
+    /// A corner that is not on the face.
+    OffFace {
+        /// The corner.
+        corner: Corner,
+        /// The face.
+        face: Face,
+    },
+    /// A face without a normal, or whose normal is cancelled by that of another one beside it.
+    NoNormal {
+        /// The cell.
+        id: CellId,
+        /// The face.
+        face: Face,
+    },
     /// A cut through a row of cells comes back to a cell that it has gone through already, another way.
     SheetMeetsItself {
         /// The cell.
         id: CellId,
     },
-}
-
-impl Change {
-    /// Sorts the lists and drops repetitions.
-    pub(super) fn sorted(mut self) -> Self {
-        for list in [&mut self.touched, &mut self.made, &mut self.removed] {
-            list.sort_unstable();
-            list.dedup();
-        }
-        self
-    }
 }
 
 impl From<BodyError> for OperationError {
@@ -132,6 +135,11 @@ impl fmt::Display for OperationError {
                 f,
                 "the cells at corner {corner} of cell {id} do not lie in a grid of two by two by two; \
                  such a corner stays a crease"
+            ),
+            Self::OffFace { corner, face } => write!(f, "corner {corner} is not on face {face}"),
+            Self::NoNormal { id, face } => write!(
+                f,
+                "face {face} of cell {id} gives no direction: it has no area, or folds back on a face beside it"
             ),
             Self::SheetMeetsItself { id } => write!(
                 f,

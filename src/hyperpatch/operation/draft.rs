@@ -2,7 +2,7 @@
 
 use super::{Change, OperationError};
 use crate::hyperpatch::Cell;
-use crate::hyperpatch::composite::{Body, BodyError, CellId, Mark, Match, Side};
+use crate::hyperpatch::composite::{Body, BodyError, CellId, MOST_CELLS, Mark, Match, Side};
 use crate::material::Composition;
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -48,7 +48,7 @@ impl Draft {
         Ok(())
     }
 
-    /// Puts the cells into the body, and lets marks go that do not hold any more.
+    /// Puts the cells into the body, and drops marks that do not hold any more.
     ///
     /// # Errors
     /// When a coordinate has become too large; the body is left as it was.
@@ -65,22 +65,23 @@ impl Draft {
     }
 }
 
-/// Lowers the marks at cells to what their coefficients hold, so that what is marked is always true.
+/// Drops the marks at cells that their coefficients do not hold, so that what is marked is always true. Sides that were
+/// let go stay so.
 pub(super) fn settle(body: &mut Body, cells: &[CellId]) {
-    let mut lowered = Vec::new();
+    let mut dropped = Vec::new();
     let tolerance = exact(body);
     for id in cells {
         for (side, mark) in body.marks().at_cell(*id) {
             let Some((shape, material)) = holds(body, side, &mark, tolerance) else { continue };
-            let lower = |marked: Option<Match>, found: Match| marked.map(|marked| marked.min(found));
-            let kept =
-                Mark { shape: lower(mark.shape, shape), material: lower(mark.material, material), ..mark };
+            let (shape, material) =
+                (mark.shape.filter(|m| *m <= shape), mark.material.filter(|m| *m <= material));
+            let kept = Mark { shape, material, ..mark };
             if kept != mark {
-                lowered.push((side, kept));
+                dropped.push((side, kept));
             }
         }
     }
-    lowered.into_iter().for_each(|(side, mark)| body.mark(side, mark));
+    dropped.into_iter().for_each(|(side, mark)| body.mark(side, mark));
 }
 
 /// Rounding that is allowed where continuity is marked: that of the body or of its coordinates, whichever is larger.
@@ -110,6 +111,42 @@ fn found(jump: f64, bend: f64, tolerance: f64) -> Match {
         (false, _) => Match::None,
         (true, false) => Match::Block,
         (true, true) => Match::C1,
+    }
+}
+
+/// Adds new cells under the identifiers from one on.
+///
+/// # Errors
+/// When the body would be too full, or one of the identifiers is taken; none is added then.
+pub(super) fn insert(
+    body: &mut Body,
+    first: CellId,
+    cells: Vec<Cell>,
+) -> Result<Vec<CellId>, OperationError> {
+    let ids = identifiers(body, first, cells.len(), 0)?;
+    for (id, cell) in ids.iter().zip(cells) {
+        body.add_as(*id, cell)?;
+    }
+    Ok(ids)
+}
+
+/// The identifiers from one on, if the body has room for so many cells after others are taken out.
+///
+/// # Errors
+/// When the body would be too full, or one of the identifiers is taken.
+pub(super) fn identifiers(
+    body: &Body,
+    first: CellId,
+    count: usize,
+    freed: usize,
+) -> Result<Vec<CellId>, OperationError> {
+    if body.cells().len() + count > MOST_CELLS + freed {
+        return Err(BodyError::Full.into());
+    }
+    let ids: Vec<CellId> = (0..count as u32).map(|n| CellId(first.0.saturating_add(n))).collect();
+    match ids.iter().find(|id| body.cell(**id).is_some()) {
+        Some(&id) => Err(BodyError::Taken { id }.into()),
+        None => Ok(ids),
     }
 }
 

@@ -59,7 +59,7 @@ pub fn mix_corner(
 }
 
 /// Gives one coefficient of one cell a composition. What it does to the continuity with neighbours is as it falls out;
-/// marks that do not hold any more are lowered.
+/// marks that do not hold any more are dropped.
 ///
 /// # Errors
 /// When there is no such cell or coefficient, or the mix has another number of materials than the body.

@@ -8,16 +8,20 @@
 //! (section 3.5 of the paper, Figs. 7 and 8).
 
 mod change;
+mod copy;
 mod delete;
 mod draft;
 mod mix;
 mod moving;
 mod nearest;
 mod star;
+mod subdivide;
 #[cfg(test)]
 mod test_bodies;
 
 pub use change::{Change, OperationError};
+pub use copy::{copy, mirror, reorient};
 pub use delete::delete;
 pub use mix::{mix_cells, mix_coefficient, mix_corner};
 pub use moving::{Reach, move_coefficient, moves};
+pub use subdivide::subdivide;

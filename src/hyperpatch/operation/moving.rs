@@ -52,8 +52,7 @@ pub fn moves(
 /// Moves a coefficient, and with it what [`moves`] says.
 ///
 /// Copies of a coefficient that cells share get the same bits. Where the shape is marked to run on it does so
-/// afterwards up to rounding, however often it was moved before; where a single coefficient breaks that, the mark is
-/// lowered to what holds.
+/// afterwards up to rounding, however often it was moved before; a mark that a single coefficient breaks is dropped.
 ///
 /// # Errors
 /// When there is no such cell or coefficient, or a coordinate is not finite or too large.
