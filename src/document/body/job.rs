@@ -4,6 +4,7 @@ use super::known::Judged;
 use super::paint::Painter;
 use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Sharing, Verdicts};
+use crate::hyperpatch::operation::moves;
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Grid, Jacobian, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
@@ -272,6 +273,8 @@ impl BodyJob {
         let known = &self.known;
         let body = known.model().body();
         Some(match self.ask {
+            BodyAsk::Moves { cell, at, reach } => Answer::Moves(moves(body, cell, at, reach).ok()?),
+            BodyAsk::CellsDocument => Answer::CellsDocument,
             BodyAsk::Sample { cell, at } => Answer::Sample(Sample::new(body, cell, at)?),
             BodyAsk::Verdicts { .. } => Answer::Verdicts(self.reports()),
             BodyAsk::Summary => {
@@ -308,8 +311,8 @@ impl BodyJob {
         let model = self.known.model();
         let document = model.document();
         Labels {
-            title: document.title.clone(),
-            unit: document.unit.clone(),
+            title: document.head.title.clone(),
+            unit: document.head.unit.clone(),
             materials: model.materials().iter().map(|material| material.name.clone()).collect(),
         }
     }
@@ -318,7 +321,7 @@ impl BodyJob {
 #[cfg(test)]
 mod tests {
     use super::super::super::{Json, read_hyperpatch};
-    use super::super::BodyMemory;
+    use super::super::{BodyMemory, DocumentKey};
     use super::*;
     use crate::document::HyperpatchModel;
     use crate::hyperpatch::validity::Verdict;
@@ -346,9 +349,10 @@ mod tests {
     }
 
     fn known(memory: &mut BodyMemory, text: &str) -> Rc<KnownBody> {
-        memory.find(text).unwrap_or_else(|| {
+        let key = DocumentKey { head: text.to_owned(), operations: Vec::new() };
+        memory.find(&key).unwrap_or_else(|| {
             let document = read_hyperpatch(&Json::parse(text).unwrap()).unwrap();
-            memory.keep(text, HyperpatchModel::new(document).unwrap())
+            memory.keep(key, HyperpatchModel::new(document).unwrap())
         })
     }
 

@@ -1,4 +1,4 @@
-//! Bodies that are remembered by the text of their documents.
+//! A hyperpatch document with its body made, and what was found about it.
 
 use super::super::HyperpatchModel;
 use crate::hyperpatch::Net;
@@ -7,12 +7,9 @@ use crate::hyperpatch::validity::Report;
 use crate::material::{Material, Oklab};
 use glam::DVec3;
 use std::cell::{OnceCell, RefCell};
-use std::collections::{HashMap, VecDeque};
+use std::collections::HashMap;
 use std::ops::Deref;
 use std::rc::Rc;
-
-/// Bodies that are kept.
-const KEPT: usize = 4;
 
 /// Shared ownership of a body.
 #[derive(Debug, Clone)]
@@ -106,32 +103,5 @@ impl KnownBody {
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
-    }
-}
-
-/// The bodies that were used last; all but 4 are forgotten.
-#[derive(Debug, Default)]
-pub struct BodyMemory {
-    /// The one used last comes first.
-    bodies: VecDeque<(String, Rc<KnownBody>)>,
-}
-
-impl BodyMemory {
-    /// The body of a document if it is known.
-    #[must_use]
-    pub fn find(&mut self, text: &str) -> Option<Rc<KnownBody>> {
-        let found = self.bodies.iter().position(|(known, _)| known == text)?;
-        let entry = self.bodies.remove(found)?;
-        let body = Rc::clone(&entry.1);
-        self.bodies.push_front(entry);
-        Some(body)
-    }
-
-    /// Remembers a body.
-    pub fn keep(&mut self, text: &str, model: HyperpatchModel) -> Rc<KnownBody> {
-        let body = Rc::new(KnownBody::new(model, self.bodies.front().map(|(_, body)| body.as_ref())));
-        self.bodies.push_front((text.to_owned(), Rc::clone(&body)));
-        self.bodies.truncate(KEPT);
-        body
     }
 }

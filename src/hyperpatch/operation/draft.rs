@@ -31,7 +31,7 @@ impl Draft {
         at: usize,
         position: DVec3,
     ) -> Result<(), OperationError> {
-        self.cell(body, id)?.coefficients_mut().0.0[at] = position;
+        self.cell(body, id)?.net_mut().0[at] = position;
         Ok(())
     }
 
@@ -43,7 +43,7 @@ impl Draft {
         at: usize,
         mix: &[f64],
     ) -> Result<(), OperationError> {
-        let (_, fractions) = self.cell(body, id)?.coefficients_mut();
+        let fractions = self.cell(body, id)?.fractions_mut();
         fractions.iter_mut().zip(mix).for_each(|(list, fraction)| list[at] = *fraction);
         Ok(())
     }
