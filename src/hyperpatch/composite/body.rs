@@ -211,10 +211,11 @@ impl Body {
         if diagonal.is_finite() && diagonal > 0.0 { diagonal } else { 1.0 }
     }
 
-    /// Distance within which control points of cells are one: 1e-9 of the size.
+    /// Distance within which control points of cells are one: 1e-9 of the size, which is rounded to a power of two, so that it
+    /// seldom changes when the body does.
     #[must_use]
     pub fn tolerance(&self) -> f64 {
-        WELD * self.size()
+        WELD * self.size().log2().round().exp2()
     }
 
     /// The box of all control points; without any its lowest corner is above the highest.
