@@ -265,9 +265,7 @@ fn join_materials(
         }
     } else {
         let mut is_fixed = vec![false; weave.members.len()];
-        if wanted == Match::C1 {
-            seeds.iter().for_each(|class| is_fixed[*class] = true);
-        }
+        seeds.iter().for_each(|class| is_fixed[*class] = true);
         values.fit(&weave.conditions(), &is_fixed);
         values.draw_in(weave.class[joint.sides[0] * 8], &linked);
     }
