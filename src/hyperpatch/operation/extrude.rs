@@ -153,10 +153,8 @@ struct Walls {
 impl<'a> Parent<'a> {
     fn new(body: &'a Body, id: CellId, face: Face) -> Option<Self> {
         let cell = body.cell(id)?;
-        let step = stride(face.axis);
-        let inside = |at: usize| if face.is_end { at - step } else { at + step };
         let points = cell.net().face(face);
-        let behind = face.coefficients().map(|at| cell.net().0[inside(at)]);
+        let behind = face.coefficients().map(|at| cell.net().0[face.inside(at)]);
         let mut parent = Self { id, face, cell, points, behind, sign: 1.0 };
         let outwards = points.iter().zip(behind).fold(DVec3::ZERO, |sum, (p, q)| sum + (*p - q));
         if parent.area().dot(outwards) < 0.0 {
@@ -207,13 +205,13 @@ impl Walls {
         };
         let mut walls =
             Self { numbers, points: HashMap::new(), behind: HashMap::new(), inner: targets.clone() };
-        for (n, parent) in parents.iter().enumerate() {
-            for at in 0..16 {
-                let number = walls.numbers[n][at];
+        for ((parent, numbers), targets) in parents.iter().zip(&walls.numbers).zip(&targets) {
+            let steps = parent.points.into_iter().zip(targets);
+            for ((number, (start, step)), layer) in numbers.iter().zip(steps).zip(parent.behind) {
                 // The first face to have a point decides on it, so that the others get the same bits.
-                walls.points.entry(number).or_insert((parent.points[at], targets[n][at]));
-                let behind = walls.behind.entry(number).or_insert(Some(parent.behind[at]));
-                if behind.is_some_and(|known| known.distance(parent.behind[at]) > tolerance) {
+                walls.points.entry(*number).or_insert((start, *step));
+                let behind = walls.behind.entry(*number).or_insert(Some(layer));
+                if behind.is_some_and(|known| known.distance(layer) > tolerance) {
                     *behind = None;
                 }
             }

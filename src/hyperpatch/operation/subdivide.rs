@@ -16,7 +16,8 @@ type Course = (Axis, bool);
 /// its identifier, two are made: that at the start of its axis and that at the end, with the identifiers from `first`
 /// on.
 ///
-/// By de Casteljau's algorithm nothing changes in shape or material. Marks stay, and hold for the new corners where
+/// By de Casteljau's algorithm nothing changes in shape or material; only on faces where the material jumps another side
+/// may decide, as the parts have new identifiers and the lowest one decides there. Marks stay, and hold for the new corners where
 /// they hold at both ends of an edge; across the ends of the cut cells the parameters run on at another rate, so that
 /// marks of first order are dropped there unless the derivative is zero.
 ///
