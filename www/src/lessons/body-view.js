@@ -124,7 +124,7 @@ export function createBodyFigure(app, host, figure) {
   const controls = h(
     "div",
     { class: "cell-controls" },
-    canMove ? h("div", { class: "cell-coefficient" }, h("span", { class: "cell-label" }, words.cell.which), which.element, ...fields.map(({ element }) => element)) : null,
+    canMove ? h("div", { class: "cell-coefficient" }, h("span", { class: "cell-label" }, words.cell.which), which.element, ...fields.map(({ element }) => element), ...fields.map(({ error }) => error)) : null,
     figure.point ? h("div", { class: "cell-parameters" }, ...sliders.map(({ row }) => row)) : null,
     reading?.element ?? null,
   );
