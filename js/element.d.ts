@@ -79,7 +79,10 @@ export class DirectrixFigure extends HTMLElement {
   static presets: string | URL;
   /** The editor, for figures without the attribute `editor`. */
   static editor: string | URL;
-  /** A copy of the document that is shown; null before the first one stands. Setting one shows it once it is found to be valid. */
+  /**
+   * A copy of the document that is shown, of a body a `HyperpatchDocument`, which its `kind` tells; null before the first one stands. Setting
+   * one shows it once it is found to be valid.
+   */
   get document(): CurvesDocument | null;
   set document(document: DocumentInput | HyperpatchDocument | null);
   /** Place of the current in-between curve, 0 to 1; of a body the share of its depth that the section has taken away. */

@@ -26,7 +26,10 @@ import { words } from "./words.js";
 
 /** Places of the section where it halts with reduced motion, less one. */
 const STAGES = 10;
-/** What is left at least of the body's extent, and how far inside of what is left the face of the cut is found: a plane that lies in faces of cells has no face. */
+/**
+ * What is left at least of the body's extent, and how far inside of what is left the face of the cut is found: a plane that lies in faces of
+ * cells has no face.
+ */
 const LEFT = 0.02;
 const INSIDE = 1e-6;
 /** Milliseconds after a turn by keys until the picture is fine again. */
@@ -169,6 +172,8 @@ export class BodyScene {
 
   /** Brings the picture up with everything that it depends on. */
   refresh() {
+    // Checks that were given up when the figure was taken from its page.
+    if (this.#known && !this.#known.summary) this.#checks.push();
     if (this.#incoming || (this.#shape && this.#cut.s !== this.#s)) this.#lane.push();
     else this.#repaint();
   }

@@ -42,7 +42,8 @@ export function createOrbit(host) {
   const help = h("p", { class: "spoken", id }, words.help);
   const element = h("div", { class: "orbit", role: "application", tabindex: "0", "aria-label": words.camera, "aria-describedby": id });
   const hint = h("p", { class: "hint", "aria-hidden": "true" }, h("span", { class: "drag" }, words.drag), h("span", { class: "tap" }, words.tap));
-  const buttons = h("div", { class: "zooms", role: "group", "aria-label": words.camera }, button("farther", { zoom: 1 / ZOOM }), button("nearer", { zoom: ZOOM }), button("fit", { fit: true }));
+  const buttons = h("div", { class: "zooms", role: "group", "aria-label": words.camera });
+  buttons.append(button("farther", { zoom: 1 / ZOOM }), button("nearer", { zoom: ZOOM }), button("fit", { fit: true }));
   /** @type {Map<number, [number, number]>} */
   const held = new Map();
   let isMoved = false;
@@ -51,7 +52,8 @@ export function createOrbit(host) {
   /** @param {keyof typeof SHAPES} name @param {Move} move */
   function button(name, move) {
     const face = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    for (const [key, value] of Object.entries({ viewBox: "0 0 16 16", width: "16", height: "16", "aria-hidden": "true" })) face.setAttribute(key, value);
+    const size = { viewBox: "0 0 16 16", width: "16", height: "16", "aria-hidden": "true" };
+    for (const [key, value] of Object.entries(size)) face.setAttribute(key, value);
     const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
     path.setAttribute("d", SHAPES[name]);
     face.append(path);
@@ -75,7 +77,8 @@ export function createOrbit(host) {
     else if ("pan" in move) host.turn(panned(host.camera(), host.frame(), ...move.pan), false);
     else host.turn(turned(host.camera(), ...move.turn), false);
     const { azimuth, elevation, distance } = host.camera();
-    host.say("zoom" in move ? words.zoomed(fixed((100 * host.fitted()) / distance, 0)) : "fit" in move ? words.fit : words.seen(fixed(azimuth, 0), fixed(elevation, 0)));
+    if ("zoom" in move) host.say(words.zoomed(fixed((100 * host.fitted()) / distance, 0)));
+    else host.say("fit" in move ? words.fit : words.seen(fixed(azimuth, 0), fixed(elevation, 0)));
   }
 
   /** Place in a picture that may be scaled, as on slides. @param {PointerEvent} event @returns {[number, number]} */
@@ -108,7 +111,10 @@ export function createOrbit(host) {
     isMoved = true;
     element.classList.add("held", "known");
     held.set(event.pointerId, at);
-    if (held.size === 1) return host.turn(pans ? panned(host.camera(), host.frame(), ...by) : dragged(host.camera(), ...by), true);
+    if (held.size === 1) {
+      host.turn(pans ? panned(host.camera(), host.frame(), ...by) : dragged(host.camera(), ...by), true);
+      return;
+    }
     const other = [...held].find(([pointer]) => pointer !== event.pointerId)?.[1] ?? before;
     const spread = (/** @type {[number, number]} */ [x, y]) => Math.max(1, Math.hypot(x - other[0], y - other[1]));
     host.turn(panned(host.camera(), host.frame(), by[0] / 2, by[1] / 2), true);

@@ -95,7 +95,9 @@ export class Raster {
   fill(mesh, seen, cut = null) {
     const placed = placedVertices(mesh, seen, cut);
     const { indices } = mesh;
-    for (let k = 0; k < indices.length; k += 3) this.#triangle(placed, WIDTH * indices[k], WIDTH * indices[k + 1], WIDTH * indices[k + 2], cut !== null);
+    for (let k = 0; k < indices.length; k += 3) {
+      this.#triangle(placed, WIDTH * indices[k], WIDTH * indices[k + 1], WIDTH * indices[k + 2], cut !== null);
+    }
   }
 
   /** @param {Float32Array} v @param {number} a @param {number} b @param {number} c @param {boolean} isCut */
@@ -177,7 +179,7 @@ export class Raster {
 
 /**
  * For each vertex: its place on the screen, one over its depth, and, each divided by the depth, its colour, what light it has as part of a
- * wall seen from outside and from inside; last, undivided by it for the sign, how far it is before the plane.
+ * wall seen from outside and from inside, and how far it is before the plane.
  *
  * @param {Mesh} mesh
  * @param {ReturnType<typeof projection>} seen
@@ -199,7 +201,9 @@ function placedVertices({ positions, labs, normals }, seen, cut) {
     const cosine = normals ? normals[p] * towards[0] + normals[p + 1] * towards[1] + normals[p + 2] * towards[2] : 0;
     placed[at + 7] = (normals ? strength(cosine) : 1) * near;
     placed[at + 8] = (normals ? strength(-cosine) * INNER : 1) * near;
-    if (cut) placed[at + 9] = (positions[p] * cut.normal[0] + positions[p + 1] * cut.normal[1] + positions[p + 2] * cut.normal[2] - cut.offset) * near;
+    if (!cut) continue;
+    const [a, b, c] = cut.normal;
+    placed[at + 9] = (positions[p] * a + positions[p + 1] * b + positions[p + 2] * c - cut.offset) * near;
   }
   return placed;
 }

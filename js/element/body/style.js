@@ -5,11 +5,8 @@ const CSS = `
 .orbit.entered { touch-action: none; }
 .orbit.held { cursor: grabbing; }
 .orbit:focus-visible:not(.pointed) { outline: 2px solid var(--accent); outline-offset: -3px; border-radius: 6px; }
-.hint {
-  position: absolute; right: 16px; bottom: 2px; z-index: 2; margin: 0; padding: 0 4px; border-radius: 4px;
-  background: color-mix(in srgb, var(--canvas) 84%, transparent); color: var(--text-2); pointer-events: none;
-}
-.orbit.known ~ .hint { display: none; }
+.hint { position: absolute; left: 16px; bottom: calc(100% + 6px); margin: 0; color: var(--text-2); pointer-events: none; }
+.orbit.known ~ .hint, .frame[data-controls="none"] .hint, .frame:not([data-state="shown"]) :is(.hint, .orbit) { display: none; }
 .hint .tap { display: none; }
 @media (pointer: coarse) { .hint .tap { display: inline; } .hint .drag { display: none; } }
 .zooms { display: flex; flex: none; gap: 2px; }
@@ -19,6 +16,7 @@ const CSS = `
 .frame:not([data-controls="full"]) .zooms { display: none; }
 .result .fact { overflow: hidden; text-overflow: ellipsis; }
 @container (width < 440px) { .zooms { display: none; } }
+@container (width < 340px) { .hint { display: none; } }
 @media print { .hint, .orbit { display: none; } }
 @media (forced-colors: active) { .zooms button { border: 1px solid ButtonText; } }
 `;

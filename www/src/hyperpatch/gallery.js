@@ -7,7 +7,6 @@ import { h } from "../dom.js";
 import { openDocument } from "../files/open.js";
 import { openPanel } from "../frame/panel.js";
 import { bodies } from "./presets.js";
-import { bodyThumbnail } from "./thumbnail.js";
 import { words } from "./words.js";
 
 /** CSS pixels of a picture. */
@@ -43,19 +42,16 @@ export function showBodies(app) {
     close();
   }
 
-  void paint();
+  // Without pictures the titles say what there is.
+  paint().catch(() => {});
 
   /** One after the other: what is open goes first. */
   async function paint() {
+    const { bodyThumbnail } = await import("./thumbnail.js");
     for (const [index, { id, document }] of bodies.entries()) {
       if (pictures.has(id)) continue;
-      try {
-        pictures.set(id, await bodyThumbnail(app.kernel, /** @type {any} */ (document), SIZE, RATIO));
-        images[index].src = pictures.get(id) ?? NOTHING;
-      } catch {
-        // The titles say what there is; a module that has stopped is told by the picture of the open body.
-        return;
-      }
+      pictures.set(id, await bodyThumbnail(app.kernel, /** @type {any} */ (document), SIZE, RATIO));
+      images[index].src = pictures.get(id) ?? NOTHING;
     }
   }
 

@@ -112,7 +112,8 @@ export function createBodyFigure(app, host, figure) {
     const value = h("span", { class: "number strong" });
     return { ...control, value, row: h("div", { class: "cell-parameter" }, h("i", {}, name), control.element, value) };
   });
-  const which = select({ label: words.cell.which, name: "lesson-coefficient", choices: INDICES.map((index) => ({ value: index.join(" "), text: words.cell.coefficient(index) })) }, (value) => {
+  const choices = INDICES.map((index) => ({ value: index.join(" "), text: words.cell.coefficient(index) }));
+  const which = select({ label: words.cell.which, name: "lesson-coefficient", choices }, (value) => {
     choose(/** @type {Index} */ (value.split(" ").map(Number)));
   });
   const fields = /** @type {const} */ (["x", "y", "z"]).map((name, axis) =>
@@ -121,10 +122,11 @@ export function createBodyFigure(app, host, figure) {
       { change: (next) => moveTo(axis, next), end: () => rest() },
     ),
   );
+  const inputs = [...fields.map(({ element }) => element), ...fields.map(({ error }) => error)];
   const controls = h(
     "div",
     { class: "cell-controls" },
-    canMove ? h("div", { class: "cell-coefficient" }, h("span", { class: "cell-label" }, words.cell.which), which.element, ...fields.map(({ element }) => element), ...fields.map(({ error }) => error)) : null,
+    canMove ? h("div", { class: "cell-coefficient" }, h("span", { class: "cell-label" }, words.cell.which), which.element, ...inputs) : null,
     figure.point ? h("div", { class: "cell-parameters" }, ...sliders.map(({ row }) => row)) : null,
     reading?.element ?? null,
   );
@@ -205,7 +207,8 @@ export function createBodyFigure(app, host, figure) {
     if (isOver || !now || width < 1 || height < 1) return;
     const ratio = surface.zoom * (window.devicePixelRatio || 1);
     const { witness } = known?.verdict ?? {};
-    if (shape) paintBody(canvas, shape, null, { camera, frame: frame(), ratio, theme: ui.value.theme, isFine, isSmall: true, witnesses: witness ? [witness.point] : [] });
+    const look = { camera, frame: frame(), ratio, theme: ui.value.theme, isFine, isSmall: true, witnesses: witness ? [witness.point] : [] };
+    if (shape) paintBody(canvas, shape, null, look);
     drawOver(now);
   }
 
@@ -279,7 +282,8 @@ export function createBodyFigure(app, host, figure) {
       net: () => ({ lines }),
       edges: () => {
         const ends = edgeSegments(now);
-        return { lines: Array.from({ length: ends.length / 6 }, (_, n) => [seen(ends.slice(6 * n, 6 * n + 3)), seen(ends.slice(6 * n + 3, 6 * n + 6))]) };
+        const end = (/** @type {number} */ start) => seen(ends.slice(start, start + 3));
+        return { lines: Array.from({ length: ends.length / 6 }, (_, n) => [end(6 * n), end(6 * n + 3)]) };
       },
       point: () => ({ dots: here ? [here] : [] }),
       through: () => ({ lines: crossing }),

@@ -41,8 +41,14 @@ function table(head, rows) {
     "table",
     {},
     h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
-    h("tbody", {}, ...rows.map(({ name, cells, strong }) => h("tr", { class: strong ? "sum" : "" }, h("th", { scope: "row" }, name), ...cells.map((text) => h("td", { class: "number" }, text))))),
+    h("tbody", {}, ...rows.map(row)),
   );
+}
+
+/** @param {{name: string, cells: string[], strong?: boolean}} row */
+function row({ name, cells, strong }) {
+  const values = cells.map((text) => h("td", { class: "number" }, text));
+  return h("tr", { class: strong ? "sum" : "" }, h("th", { scope: "row" }, name), ...values);
 }
 
 /** The greatest weights, the others together, and the whole sum. @param {State} state */

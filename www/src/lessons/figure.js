@@ -33,7 +33,6 @@ import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
 import { hasSpace } from "../state/in-space.js";
 import { keepNow } from "../state/session.js";
-import { createBodyFigure } from "./body-view.js";
 import { createCurvesView } from "./curves-view.js";
 import { figureDocument } from "./document.js";
 import { fill } from "./html.js";
@@ -84,7 +83,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
       element.dataset.drawn = "failed";
     },
   };
-  const create = { steps: createStepsView, body: createBodyFigure, figure: createCurvesView }[figure.view];
+  const create = figure.view === "steps" ? createStepsView : (isBodyFigure && lesson.createBody) || createCurvesView;
   const view = create(app, host, figure);
 
   const button = (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ act) =>
