@@ -7,7 +7,7 @@ import { licences } from "./scripts/lib/licences.mjs";
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 
 /** Cameras, colours and cells without the library for three dimensions. */
-const SHARED = /\/www\/src\/(space\/(camera|colors|keys|vector)|hyperpatch\/cell)\.js$/;
+const SHARED = /\/(js|www\/src)\/(space\/(camera|colors|keys|vector)|hyperpatch\/cell)\.js$/;
 
 export default defineConfig({
   root: "www",

@@ -4,14 +4,14 @@
  *
  * @import { BodySummary, CellVerdict, Control, HyperpatchDocument, RemoteHyperpatch } from "../../directrix.js"
  * @import { FigureResult } from "../../element.js"
- * @import { Camera, Frame } from "../../../www/src/space/camera.js"
+ * @import { Camera, Frame } from "../../space/camera.js"
  * @import { Kernel } from "../kernel.js"
  * @import { Size } from "../plane.js"
  * @import { Host } from "../scene.js"
  * @import { Cut, Shape } from "./picture.js"
  */
-import { fitted, STANDARD } from "../../../www/src/space/camera.js";
-import { cornersOf } from "../../../www/src/space/vector.js";
+import { fitted, STANDARD } from "../../space/camera.js";
+import { cornersOf } from "../../space/vector.js";
 import { isControl } from "../../connect.js";
 import { DirectrixError } from "../../errors.js";
 import { body as remoteBody } from "../../remote-body.js";

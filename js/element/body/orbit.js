@@ -2,20 +2,20 @@
  * The camera of a figure, by pointer, touch and keys. The page keeps its wheel, and its finger until the picture was tapped: then a drag
  * turns, and two fingers move and zoom, until something else gets the focus.
  *
- * @import { Camera, Frame } from "../../../www/src/space/camera.js"
- * @import { Move } from "../../../www/src/space/keys.js"
+ * @import { Camera, Frame } from "../../space/camera.js"
+ * @import { Move } from "../../space/keys.js"
  *
  * @typedef {object} Host
  * @property {() => Camera} camera
  * @property {() => Frame} frame
  * @property {() => number} fitted distance of the camera that sees the whole body
  * @property {(camera: Camera, isDrag: boolean) => void} turn
- * @property {(view?: import("../../../www/src/space/camera.js").StandardView) => void} fit
+ * @property {(view?: import("../../space/camera.js").StandardView) => void} fit
  * @property {() => void} rest a drag has ended
  * @property {(text: string) => void} say
  */
-import { dragged, middleOf, panned, turned, zoomed } from "../../../www/src/space/camera.js";
-import { moveOf } from "../../../www/src/space/keys.js";
+import { dragged, middleOf, panned, turned, zoomed } from "../../space/camera.js";
+import { moveOf } from "../../space/keys.js";
 import { h } from "../dom.js";
 import { fixed } from "../words.js";
 import { words } from "./words.js";

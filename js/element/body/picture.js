@@ -2,8 +2,8 @@
  * The picture of a body on a canvas: its boundary, the face of a cut, boundary curves, corners, and crosses where something is wrong.
  *
  * @import { BodySection, BodySurface } from "../../directrix.js"
- * @import { Camera, Frame } from "../../../www/src/space/camera.js"
- * @import { Bounds } from "../../../www/src/space/vector.js"
+ * @import { Camera, Frame } from "../../space/camera.js"
+ * @import { Bounds } from "../../space/vector.js"
  * @import { Plane } from "./raster.js"
  *
  * @typedef {object} Shape What is drawn; made once for each body.
@@ -22,7 +22,7 @@
  * @property {boolean} [isSmall] without corners, and with thin lines
  * @property {readonly (readonly number[])[]} [witnesses]
  */
-import { labsOf } from "../../../www/src/space/colors.js";
+import { labsOf } from "../../space/colors.js";
 import { projection, Raster } from "./raster.js";
 
 /** Pixels of the raster for one of a fine picture, either way, and how many the raster may have. */

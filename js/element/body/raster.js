@@ -2,7 +2,7 @@
  * Triangles in space as pixels, nearest first, without a graphics card: a page may show any number of figures, and browsers give it few
  * contexts of one. Coloured between the vertices in Oklab, in which fractions mix.
  *
- * @import { Camera, Frame } from "../../../www/src/space/camera.js"
+ * @import { Camera, Frame } from "../../space/camera.js"
  *
  * @typedef {object} Mesh
  * @property {Float32Array} positions three numbers a vertex
@@ -12,7 +12,7 @@
  *
  * @typedef {{ normal: readonly number[], offset: number }} Plane what has a product with the normal below the offset is away
  */
-import { axesOf, middleOf, unitsPerPixel } from "../../../www/src/space/camera.js";
+import { axesOf, middleOf, unitsPerPixel } from "../../space/camera.js";
 
 /** The light comes from the upper left, before the picture: right, up, towards the eye. */
 const LIGHT = [-0.42, 0.68, 0.6];
