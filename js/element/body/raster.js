@@ -33,6 +33,18 @@ const ENCODED = Uint8ClampedArray.from({ length: 4096 }, (_, n) => {
 /** @param {number} light */
 const byte = (light) => ENCODED[light <= 0 ? 0 : light >= 1 ? 4095 : (light * 4095 + 0.5) | 0];
 
+/** What a share of a triangle may be below 0 at its rim, so that no pixel between two of them is left out. */
+const SLACK = 1e-6;
+
+/** The first place, not above it, from which on a share that grows by a step is no less than 0. @param {number} first @param {number} step */
+const enters = (first, step) => (step > 0 ? Math.floor(-first / step) : step === 0 && first < -SLACK ? Infinity : 0);
+
+/** The last place, not below it, until which a share that falls by a step is no less than 0. @param {number} first @param {number} step */
+const leaves = (first, step) => (step < 0 ? Math.ceil(-first / step) : Infinity);
+
+/** @param {number} x */
+const cubed = (x) => x * x * x;
+
 /** @param {number} toLight the cosine between a normal and the light */
 function strength(toLight) {
   const t = Math.min(1, Math.max(0, (0.5 + 0.5 * toLight - 0.05) / 0.9));
@@ -114,28 +126,38 @@ export class Raster {
     const bottom = Math.min(height - 1, Math.floor(Math.max(ay, by, cy) - 0.5));
     // Counter-clockwise from outside, and y runs down here.
     const side = area < 0 ? 7 : 8;
-    const step = { a: (by - cy) / area, b: (cy - ay) / area, c: (ay - by) / area };
+    const stepA = (by - cy) / area;
+    const stepB = (cy - ay) / area;
+    const stepC = (ay - by) / area;
     for (let y = top; y <= bottom; y += 1) {
-      const [px, py] = [left + 0.5, y + 0.5];
-      let wa = ((bx - px) * (cy - py) - (by - py) * (cx - px)) / area;
-      let wb = ((cx - px) * (ay - py) - (cy - py) * (ax - px)) / area;
-      let wc = 1 - wa - wb;
-      for (let x = left, at = y * width + left; x <= right; x += 1, at += 1, wa += step.a, wb += step.b, wc += step.c) {
-        if (wa < -1e-6 || wb < -1e-6 || wc < -1e-6) continue;
+      const px = left + 0.5;
+      const py = y + 0.5;
+      const firstA = ((bx - px) * (cy - py) - (by - py) * (cx - px)) / area;
+      const firstB = ((cx - px) * (ay - py) - (cy - py) * (ax - px)) / area;
+      const firstC = 1 - firstA - firstB;
+      // Thin triangles are much smaller than their boxes: of the row only what may lie inside all three edges.
+      const from = Math.max(0, enters(firstA, stepA), enters(firstB, stepB), enters(firstC, stepC));
+      const to = Math.min(right - left, leaves(firstA, stepA), leaves(firstB, stepB), leaves(firstC, stepC));
+      for (let n = from, at = y * width + left + from; n <= to; n += 1, at += 1) {
+        const wa = firstA + n * stepA;
+        const wb = firstB + n * stepB;
+        const wc = firstC + n * stepC;
+        if (wa < -SLACK || wb < -SLACK || wc < -SLACK) continue;
         const near = wa * v[a + 2] + wb * v[b + 2] + wc * v[c + 2];
         if (near <= nearness[at]) continue;
         if (isCut && wa * v[a + 9] + wb * v[b + 9] + wc * v[c + 9] < 0) continue;
         nearness[at] = near;
         // Straight in space, not on the screen: what was divided by the depth is multiplied by it again.
-        const [fa, fb, fc] = [wa / near, wb / near, wc / near];
+        const fa = wa / near;
+        const fb = wb / near;
+        const fc = wc / near;
         const light = fa * v[a + side] + fb * v[b + side] + fc * v[c + side];
         const L = fa * v[a + 3] + fb * v[b + 3] + fc * v[c + 3];
         const A = fa * v[a + 4] + fb * v[b + 4] + fc * v[c + 4];
         const B = fa * v[a + 5] + fb * v[b + 5] + fc * v[c + 5];
-        let l = L + 0.3963377774 * A + 0.2158037573 * B;
-        let m = L - 0.1055613458 * A - 0.0638541728 * B;
-        let s = L - 0.0894841775 * A - 1.291485548 * B;
-        [l, m, s] = [l * l * l, m * m * m, s * s * s];
+        const l = cubed(L + 0.3963377774 * A + 0.2158037573 * B);
+        const m = cubed(L - 0.1055613458 * A - 0.0638541728 * B);
+        const s = cubed(L - 0.0894841775 * A - 1.291485548 * B);
         const pixel = 4 * at;
         pixels[pixel] = byte((4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s) * light);
         pixels[pixel + 1] = byte((-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s) * light);
