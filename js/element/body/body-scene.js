@@ -19,7 +19,7 @@ import { toText } from "../../text.js";
 import { isWhole, Lane } from "../kernel.js";
 import { fixed } from "../words.js";
 import { createOrbit } from "./orbit.js";
-import { cutOf, paint, shapeOf } from "./picture.js";
+import { cutOf, paint, shapeOf, within } from "./picture.js";
 import { bodyResult } from "./result.js";
 import { bodySheetOf } from "./style.js";
 import { words } from "./words.js";
@@ -32,6 +32,8 @@ const STAGES = 10;
  */
 const LEFT = 0.02;
 const INSIDE = 1e-6;
+/** Distance of the triangles from the boundary, as a share of the diagonal: less than a pixel. */
+const TOLERANCE = 1.5e-3;
 /** Milliseconds after a turn by keys until the picture is fine again. */
 const IDLE = 250;
 
@@ -226,7 +228,7 @@ export class BodyScene {
     try {
       const body = await asked(kernel, incoming.text, control);
       const verdicts = await body.verdicts({ global: false }, control);
-      const surface = await body.surface({}, control);
+      const surface = await body.surface(within(body.cells, TOLERANCE), control);
       if (this.#incoming !== incoming) return;
       const volume = body.cells.reduce((sum, cell) => sum + Math.abs(cell.volume), 0);
       [this.document, this.#text] = [incoming.document, incoming.text];

@@ -1,7 +1,7 @@
 /**
  * The picture of a body on a canvas: its boundary, the face of a cut, boundary curves, corners, and crosses where something is wrong.
  *
- * @import { BodySection, BodySurface } from "../../directrix.js"
+ * @import { BodySection, BodySurface, CellSummary } from "../../directrix.js"
  * @import { Camera, Frame } from "../../space/camera.js"
  * @import { Bounds } from "../../space/vector.js"
  * @import { Plane } from "./raster.js"
@@ -40,6 +40,23 @@ const ERROR = { light: "#b3261e", dark: "#ff8d85" };
 const RADIUS = 3;
 const RING = 1.2;
 const CROSS = 5;
+
+/**
+ * How far triangles may lie from the boundary: a share of the diagonal of the corners; no options where these have none.
+ *
+ * @param {CellSummary[]} cells
+ * @param {number} share
+ * @returns {{ tolerance?: number }}
+ */
+export function within(cells, share) {
+  const points = cells.flatMap(({ corners }) => corners);
+  const spans = [0, 1, 2].map((axis) => {
+    const [low, high] = points.reduce(([low, high], point) => [Math.min(low, point[axis]), Math.max(high, point[axis])], [Infinity, -Infinity]);
+    return high - low;
+  });
+  const diagonal = Math.hypot(...spans);
+  return diagonal > 0 && Number.isFinite(diagonal) ? { tolerance: share * diagonal } : {};
+}
 
 /** @param {BodySurface} surface @returns {Shape} */
 export function shapeOf(surface) {

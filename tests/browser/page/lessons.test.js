@@ -83,7 +83,7 @@ test("a link to what there is not says so, and a step past the end is the last",
 test("where lessons cannot be fetched the page says so and goes on with the curves", async (t) => {
   const page = await openRaw(t, {});
   await ready(page);
-  const work = await documentOf(page);
+  const work = await eventually(() => documentOf(page));
   await page.route(/\/lessons-[^/]*\.js$/, (route) => route.abort());
   const link = page.getByRole("link", { name: "Lessons" });
   await link.click();

@@ -4,7 +4,7 @@
  * @import { HyperpatchDocument } from "../../../js/directrix.js"
  * @import { Kernel, Size } from "../types.js"
  */
-import { paint, shapeOf } from "../../../js/element/body/picture.js";
+import { paint, shapeOf, within } from "../../../js/element/body/picture.js";
 import { fitted, STANDARD } from "../space/camera.js";
 import { cornersOf } from "../space/vector.js";
 
@@ -22,10 +22,7 @@ const TOLERANCE = 4e-3;
 export async function bodyThumbnail(kernel, document, size, ratio, signal) {
   const control = signal ? { signal } : {};
   const body = await kernel.hyperpatch(document, control);
-  const corners = body.cells.flatMap((cell) => cell.corners);
-  const span = [0, 1, 2].map((axis) => Math.max(...corners.map((corner) => corner[axis])) - Math.min(...corners.map((corner) => corner[axis])));
-  const diagonal = Math.hypot(...span);
-  const surface = await body.surface(diagonal > 0 ? { tolerance: TOLERANCE * diagonal } : {}, control);
+  const surface = await body.surface(within(body.cells, TOLERANCE), control);
   const shape = shapeOf(surface);
   const frame = { size, top: 0, bottom: 0 };
   const camera = fitted(STANDARD.iso, frame, cornersOf(shape.bounds));
