@@ -54,6 +54,8 @@ pub enum BodyAsk {
     Surface {
         /// Chord tolerance; without one a thousandth of the size of the body.
         tolerance: Option<f64>,
+        /// Whether the faces between cells follow, once for each cell.
+        has_inner: bool,
     },
     /// Cell, parameters and composition at a point.
     Probe(DVec3),
@@ -113,8 +115,10 @@ impl BodyAsk {
                 }
             }
             "surface" => {
-                known(&["tolerance"])?;
-                Self::Surface { tolerance: tolerance()? }
+                known(&["tolerance", "faces"])?;
+                let faces = options.as_ref().map_or(Ok(None), |options| options.get("faces"))?;
+                let has_inner = faces.map_or(Ok(0), |node| node.choice(&["outer", "all"]))? == 1;
+                Self::Surface { tolerance: tolerance()?, has_inner }
             }
             "probe" => Self::Probe(triple(&root.need("point")?, -LARGEST_COORDINATE, LARGEST_COORDINATE)?),
             "relations" => Self::Relations,

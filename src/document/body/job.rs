@@ -5,9 +5,10 @@ use super::paint::Painter;
 use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Sharing, Verdicts};
 use crate::hyperpatch::validity::Report;
-use crate::hyperpatch::{Grid, Jacobian, Sectioning, Tessellation, VtkJob};
+use crate::hyperpatch::{Face, Grid, Jacobian, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
 use crate::solid::{FileJob, Labels, Mesh, Skin};
+use std::collections::HashSet;
 use std::rc::Rc;
 
 /// Chord tolerance over the size of the body where none is asked for.
@@ -241,9 +242,8 @@ impl BodyJob {
                 Ok(job) => Work::Cutting(Box::new(job)),
                 Err(_) => Work::Done(None),
             },
-            BodyAsk::Surface { tolerance } | BodyAsk::File { format: BodyFormat::Surface(_), tolerance } => {
-                self.meshing(tolerance.unwrap_or(TOLERANCE * known.size()))
-            }
+            BodyAsk::Surface { tolerance, has_inner } => self.meshing(tolerance, has_inner),
+            BodyAsk::File { format: BodyFormat::Surface(_), tolerance } => self.meshing(tolerance, false),
             BodyAsk::File { format: BodyFormat::Vtk, .. } => {
                 Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
             }
@@ -261,9 +261,17 @@ impl BodyJob {
         }
     }
 
-    fn meshing(&self, tolerance: f64) -> Work {
+    fn meshing(&self, tolerance: Option<f64>, has_inner: bool) -> Work {
         let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
-        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), sharing.outer_faces(), tolerance);
+        let mut faces = sharing.outer_faces();
+        if has_inner {
+            let outer: HashSet<_> = faces.iter().copied().collect();
+            let cells = self.known.model().body().cells();
+            let all = cells.iter().flat_map(|(id, _)| Face::all().map(|face| (*id, face)));
+            faces.extend(all.filter(|side| !outer.contains(side)));
+        }
+        let tolerance = tolerance.unwrap_or(TOLERANCE * self.known.size());
+        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), faces, tolerance);
         job.map_or(Work::Done(None), |job| Work::Meshing(Box::new(job)))
     }
 
@@ -400,7 +408,7 @@ mod tests {
     fn surfaces_carry_material_and_curves() {
         let mut memory = BodyMemory::default();
         let known = known(&mut memory, &text(0.0));
-        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None });
+        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, has_inner: false });
         let Some(Answer::Surface(painted, boundary)) = job.run() else { panic!("a surface was asked for") };
         for (vertex, point) in painted.positions.iter().enumerate() {
             let t = painted.parameters[vertex].x;
@@ -413,5 +421,19 @@ mod tests {
         assert_eq!((boundary.edges.len(), boundary.corners.len()), (20, 12));
         let place = boundary.corners.iter().filter(|(.., users, _)| *users == 2).map(|(.., place)| *place);
         assert!(place.map(|place: DVec3| place.x).all(|x| x == 1.0));
+
+        // With the faces between cells, which follow the outer ones, every face of every cell is there, and the curves are the same.
+        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, has_inner: true });
+        let Some(Answer::Surface(whole, curves)) = job.run() else { panic!("a surface was asked for") };
+        assert_eq!((painted.stretches.len(), whole.stretches.len()), (10, 12));
+        assert!(
+            painted.stretches.iter().zip(&whole.stretches).all(|(a, b)| (a.cell, a.face) == (b.cell, b.face))
+        );
+        assert!(
+            whole.stretches[10..]
+                .iter()
+                .all(|inner| whole.positions[inner.vertices.clone()].iter().all(|p| p.x == 1.0))
+        );
+        assert_eq!((curves.edges.len(), curves.corners.len()), (20, 12));
     }
 }
