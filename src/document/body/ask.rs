@@ -79,6 +79,8 @@ pub enum BodyAsk {
     Surface {
         /// Chord tolerance; without one a thousandth of the size of the body.
         tolerance: Option<f64>,
+        /// Whether the faces between cells follow, once for each cell.
+        has_inner: bool,
         /// The number of an earlier surface, of which only differences are wanted.
         since: Option<u32>,
     },
@@ -161,14 +163,14 @@ impl BodyAsk {
                 }
             }
             "surface" => {
-                known(&["tolerance", "since"])?;
-                let since = options.as_ref().map_or(Ok(None), |options| options.get("since"))?;
-                let since = since.map(|node| node.count()).transpose()?;
+                known(&["tolerance", "faces", "since"])?;
+                let option = |name| options.as_ref().map_or(Ok(None), |options| options.get(name));
+                let faces = option("faces")?;
+                let has_inner = faces.map_or(Ok(0), |node| node.choice(&["outer", "all"]))? == 1;
+                let since = option("since")?.map(|node| node.count()).transpose()?;
                 // What is no number of a surface is that of one that is not known.
-                Self::Surface {
-                    tolerance: tolerance()?,
-                    since: since.map(|id| u32::try_from(id).unwrap_or(0)),
-                }
+                let since = since.map(|id| u32::try_from(id).unwrap_or(0));
+                Self::Surface { tolerance: tolerance()?, has_inner, since }
             }
             "probe" => Self::Probe(triple(&root.need("point")?, -LARGEST_COORDINATE, LARGEST_COORDINATE)?),
             "relations" => Self::Relations,

@@ -10,7 +10,7 @@ use super::{
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Relation, Sharing, Verdicts};
 use crate::hyperpatch::operation::{moves, neighbourhood};
 use crate::hyperpatch::validity::Report;
-use crate::hyperpatch::{Grid, Sectioning, Tessellation, VtkJob};
+use crate::hyperpatch::{Face, Grid, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
 use crate::solid::{FileJob, Labels, Mesh, Skin};
 use std::cell::OnceCell;
@@ -195,7 +195,7 @@ impl BodyJob {
             },
             Work::Resurfacing(mut job) => match job.step(&self.known, may_go_on) {
                 Resurfaced::Open => Work::Resurfacing(job),
-                Resurfaced::Unlike => self.meshing(self.tolerance()),
+                Resurfaced::Unlike => self.meshing(),
                 Resurfaced::Done(done) => {
                     let (painted, boundary, renewal) = *done;
                     self.surfaced(painted, boundary, Some(renewal))
@@ -269,13 +269,12 @@ impl BodyJob {
                 Ok(job) => Work::Cutting(Box::new(job)),
                 Err(_) => Work::Done(None),
             },
-            BodyAsk::Surface { tolerance, since: Some(since) } => {
-                let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance);
-                job.map_or_else(|| self.meshing(self.tolerance()), |job| Work::Resurfacing(Box::new(job)))
+            BodyAsk::Surface { tolerance, has_inner, since: Some(since) } => {
+                let faces = self.faces(has_inner);
+                let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance, &faces);
+                job.map_or_else(|| self.meshing(), |job| Work::Resurfacing(Box::new(job)))
             }
-            BodyAsk::Surface { .. } | BodyAsk::File { format: BodyFormat::Surface(_), .. } => {
-                self.meshing(self.tolerance())
-            }
+            BodyAsk::Surface { .. } | BodyAsk::File { format: BodyFormat::Surface(_), .. } => self.meshing(),
             BodyAsk::File { format: BodyFormat::Vtk, .. } => {
                 Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
             }
@@ -354,9 +353,24 @@ impl BodyJob {
         Work::Done(kept.map(|surface| Answer::Surface(surface, renewal)))
     }
 
-    fn meshing(&self, tolerance: f64) -> Work {
+    /// The faces of a surface: the outer ones, and after them those between cells, once for each cell.
+    fn faces(&self, has_inner: bool) -> Vec<(CellId, Face)> {
+        let Some(sharing) = self.known.sharing.get() else { return Vec::new() };
+        let mut faces = sharing.outer_faces();
+        if has_inner {
+            let outer: HashSet<_> = faces.iter().copied().collect();
+            let cells = self.known.model().body().cells();
+            let all = cells.iter().flat_map(|(id, _)| Face::all().map(|face| (*id, face)));
+            faces.extend(all.filter(|side| !outer.contains(side)));
+        }
+        faces
+    }
+
+    fn meshing(&self) -> Work {
         let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
-        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), sharing.outer_faces(), tolerance);
+        let has_inner = matches!(self.ask, BodyAsk::Surface { has_inner: true, .. });
+        let (faces, tolerance) = (self.faces(has_inner), self.tolerance());
+        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), faces, tolerance);
         job.map_or(Work::Done(None), |job| Work::Meshing(Box::new(job)))
     }
 
@@ -509,7 +523,10 @@ mod tests {
     fn surfaces_carry_material_and_curves() {
         let mut memory = BodyMemory::default();
         let known = known(&mut memory, &text(0.0));
-        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, since: None });
+        let job = BodyJob::new(
+            Rc::clone(&known),
+            BodyAsk::Surface { tolerance: None, has_inner: false, since: None },
+        );
         let Some(Answer::Surface(surface, None)) = job.run() else { panic!("a surface was asked for") };
         let (painted, boundary) = (&surface.painted, &surface.boundary);
         for (vertex, point) in painted.positions.iter().enumerate() {
@@ -523,5 +540,26 @@ mod tests {
         assert_eq!((boundary.edges.len(), boundary.corners.len()), (20, 12));
         let place = boundary.corners.iter().filter(|(.., users, _)| *users == 2).map(|(.., place)| *place);
         assert!(place.map(|place: DVec3| place.x).all(|x| x == 1.0));
+
+        // With the faces between cells, which follow the outer ones, every face of every cell is there, and the curves are the same.
+        let job = BodyJob::new(
+            Rc::clone(&known),
+            BodyAsk::Surface { tolerance: None, has_inner: true, since: None },
+        );
+        let Some(Answer::Surface(whole, curves)) = job.run() else { panic!("a surface was asked for") };
+        assert_eq!((painted.stretches.len(), whole.painted.stretches.len()), (10, 12));
+        assert!(
+            painted
+                .stretches
+                .iter()
+                .zip(&whole.painted.stretches)
+                .all(|(a, b)| (a.cell, a.face) == (b.cell, b.face))
+        );
+        assert!(
+            whole.painted.stretches[10..]
+                .iter()
+                .all(|inner| whole.painted.positions[inner.vertices.clone()].iter().all(|p| p.x == 1.0))
+        );
+        assert_eq!((curves.edges.len(), curves.corners.len()), (20, 12));
     }
 }
