@@ -54,11 +54,12 @@ const BEHIND = 5e-3;
  * @param {(cell: number | null) => void} options.chooseCell
  * @param {import("../space/gizmo.js").GizmoMoves} options.gizmo what dragging the chosen corner does
  * @param {() => number | null} options.step that a dragged corner rests on; null for none
+ * @param {() => void} options.rested the camera has been moved, and rests for now
  * @param {() => void} options.turned the camera stands elsewhere
  * @param {(isLost: boolean) => void} options.oncontext
  * @throws {import("../space/space.js").NoWebGl}
  */
-export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: moves, step, turned, oncontext }) {
+export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: moves, step, rested, turned, oncontext }) {
   const over = createMarks(app);
   const coarse = matchMedia("(pointer: coarse)");
   const { spoken, show } = words;
@@ -76,6 +77,7 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
       else chooseCell(readingAt(at)?.cell ?? null);
     },
     turned,
+    rested,
     plane,
     oncontext,
   });
@@ -201,6 +203,7 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
     mark,
     resize: viewer.resize,
     fit: viewer.fit,
+    restore: viewer.restore,
     look: viewer.look,
     move: viewer.move,
     readMiddle: viewer.readMiddle,
