@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { test } from "node:test";
+import { PNG } from "pngjs";
 import { audit } from "../support/axe.js";
 import { manyCells } from "../support/many-cells.js";
 import { openPage } from "./open.js";
@@ -39,6 +41,22 @@ test("cells apart and seen through, how they continue, and a corner dragged by i
   await eventually(async () => assert.match(await page.locator("[data-meeting=C1]").innerText(), /48$/));
   assert.match(await page.locator("[data-meeting=C0]").innerText(), /0$/);
   assert.deepEqual(await audit(page), []);
+
+  // The picture of it has the size asked for.
+  await page.locator("[data-action=export]").click();
+  await field(page, "body-width").fill("640");
+  await field(page, "body-width").press("Enter");
+  await field(page, "body-height").fill("480");
+  await field(page, "body-height").press("Enter");
+  assert.deepEqual(await audit(page), []);
+  const [file] = await Promise.all([page.waitForEvent("download"), page.locator("[data-export=png]").click()]);
+  assert.equal(file.suggestedFilename(), "block-of-eight.png");
+  const { width, height, data } = PNG.sync.read(await readFile(await file.path()));
+  assert.deepEqual([width, height], [640, 480]);
+  const colors = new Set(Array.from({ length: width * height }, (_, n) => data.readUInt32BE(4 * n)));
+  assert.ok(colors.size > 1000, `${colors.size} colours`);
+  assert.deepEqual([...data.subarray(0, 4)], [255, 255, 255, 255]);
+  await page.locator("[data-panel=export] [data-close]").click();
 
   // The corner in the middle of the block has 26 neighbours, which no other has.
   const keys = page.locator("[data-body-keys]");

@@ -28,6 +28,7 @@ import { jointsOf } from "./joints.js";
 import { isBody } from "./kind.js";
 import { createBodyLegend } from "./legend.js";
 import { neighboursOf } from "./neighbours.js";
+import { offer } from "./picture.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
 import { boundsOf, FIRST_SHOWN, hasInner, sharedCorner } from "./state.js";
@@ -139,6 +140,7 @@ function openWorkbench(app) {
       },
     }),
   );
+  offer(view);
   const legend = createBodyLegend(app);
   const message = h("div", { class: "space-message", hidden: true, "data-body-message": "" }, h("p", {}));
   const { picture, keyboard, help, zoom } = createStand({ name: "body", words, view });
@@ -359,6 +361,7 @@ function openWorkbench(app) {
       if (timer) keepNow();
       runner.close();
       cut.close();
+      offer(null);
       view?.close();
       stage.remove();
       aside.remove();

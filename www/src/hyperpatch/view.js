@@ -3,6 +3,7 @@
  *
  * @import { BodySection, BodySharing, BodySurface } from "../../../js/directrix.js"
  * @import { App } from "../state/app.js"
+ * @import { PictureWanted } from "../files/picture-rows.js"
  * @import { PlaneMoves } from "../space/plane-mark.js"
  * @import { Plane } from "../space/plane.js"
  * @import { Bounds, Vector } from "../space/vector.js"
@@ -40,6 +41,8 @@ import { sampleAt } from "./cell.js";
 import { bodyOf, cellsOf } from "./document.js";
 import { words } from "./words.js";
 
+/** Ground of the page by theme. */
+const CANVAS = { light: "#ffffff", dark: "#0e0f12" };
 /** CSS pixels within which a tap means a corner, and by touch. */
 const NEAR = 12;
 const TOUCH = 22;
@@ -204,6 +207,20 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
     resize: viewer.resize,
     fit: viewer.fit,
     restore: viewer.restore,
+    /** What is seen now as a picture. @param {PictureWanted} wanted @returns {OffscreenCanvas | null} */
+    picture({ theme, transparent, ...size }) {
+      const kept = picture;
+      if (kept) picture = { ...kept, theme };
+      try {
+        return viewer.picture(size, transparent ? null : CANVAS[theme]);
+      } finally {
+        picture = kept;
+        viewer.request();
+      }
+    },
+    get size() {
+      return space.frame.size;
+    },
     look: viewer.look,
     move: viewer.move,
     readMiddle: viewer.readMiddle,
