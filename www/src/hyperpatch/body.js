@@ -193,7 +193,7 @@ export class BodyScene {
       Object.assign(material, { transparent: isClear, depthWrite: !isClear });
       material.needsUpdate = true;
     }
-    this.#arrange(isClear ? back : null);
+    this.#arrange(isClear ? back : apart > 0 ? scaled(back, -1) : null);
     this.#edges.show(edges);
     this.#dots.show(corners);
     material.uniforms.lit.value = light ? 1 : 0;
@@ -206,20 +206,21 @@ export class BodyScene {
   }
 
   /**
-   * Faces in the order of drawing: where they are seen through, from the farthest to the nearest.
-   * @param {Vector | null} back from the body to the eye
+   * Faces in the order of drawing: where they are seen through, from the farthest to the nearest; of many cells that hide each other the
+   * other way, so that little is coloured in vain.
+   * @param {Vector | null} along the direction in which they follow each other; null for any
    */
-  #arrange(back) {
+  #arrange(along) {
     const drawn = this.#drawn;
     if (!drawn) return;
     const { value: apart } = this.#apart;
-    const key = JSON.stringify([back, apart > 0, back && apart]);
+    const key = JSON.stringify([along, apart > 0, along && apart]);
     if (key === this.#order) return;
     this.#order = key;
     const { surface, shifts } = drawn;
     const patches = surface.patches.slice(0, this.#isApart ? undefined : this.#outer);
-    const places = patches.map((patch, n) => ({ patch, depth: back ? dot(add(this.#middles[n], scaled(shiftOf(shifts, patch.cell), apart)), back) : n }));
-    if (back) places.sort((a, b) => a.depth - b.depth);
+    const places = patches.map((patch, n) => ({ patch, depth: along ? dot(add(this.#middles[n], scaled(shiftOf(shifts, patch.cell), apart)), along) : n }));
+    if (along) places.sort((a, b) => a.depth - b.depth);
     const index = this.#surface.geometry.getIndex();
     if (!index) return;
     let end = 0;
