@@ -143,6 +143,8 @@ export interface Diagnostic {
   parameter?: number;
   /** Degrees. */
   turn?: number;
+  /** Of a corner: the bisector that stands in for the normal, of length 1, outward on a closed curve. */
+  normal?: Point;
   at?: Point;
 }
 
@@ -488,6 +490,8 @@ export interface Progress {
   file?: Uint8Array;
   /** Of a job that answers a question about a body, when it is done: what the method of that name returns. */
   answer?: any;
+  /** Of a distance transform, when it is done. */
+  distances?: Float32Array;
 }
 
 /** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
@@ -601,6 +605,20 @@ export interface JobOptions extends MatchOptions {
   /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
   hyperpatch?: { question: keyof Hyperpatch; rest?: object };
   greedy?: boolean;
+  /** A distance transform; the document is left aside. */
+  distanceTransform?: TransformInput;
+}
+
+/** A grid with features; docs/api.md. */
+export interface TransformInput {
+  /** Voxels along x, y and z, or pixels along x and y. */
+  size: [number, number] | [number, number, number];
+  /** Lengths between neighbouring centres. Default: 1 each. */
+  spacing?: [number, number] | [number, number, number];
+  /** A number for each voxel, x fastest: other than 0 where it belongs to a feature. */
+  features: Uint8Array;
+  /** Distances above it are Infinity. Default: Infinity. */
+  limit?: number;
 }
 
 /** A point [x, y, z], z up, or parameters [u, v, w]. */
@@ -888,11 +906,13 @@ export interface Directrix {
   solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   hyperpatch(document: HyperpatchDocument | string): Hyperpatch;
+  /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
+  distanceTransform(input: TransformInput): Float32Array;
   /**
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
    * these functions; `hyperpatch` is a question about a document of that kind.
    */
-  job(document: DocumentInput | HyperpatchDocument, options?: JobOptions): Job;
+  job(document: DocumentInput | HyperpatchDocument | null, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {

@@ -6,6 +6,7 @@ import { browser } from "./lib/browser.mjs";
 import { countTests } from "./lib/counts.mjs";
 import { moduleSteps } from "./lib/modules.mjs";
 import { pageSteps } from "./lib/page.mjs";
+import { PASSED_LATER } from "./lib/second-chance.mjs";
 import { runSteps } from "./lib/steps.mjs";
 import { suites } from "./lib/suites.mjs";
 
@@ -37,6 +38,7 @@ function print(result) {
   const note = counts ? `${counts.passed} passed` : result.state === "fresh" ? "nothing to do" : "";
   const seconds = result.seconds.toFixed(1).padStart(6);
   console.log(`${marks[result.state].padEnd(8)}${result.name.padEnd(width)}${seconds} s  ${note}`.trimEnd());
+  for (const line of result.output.filter((each) => each.startsWith(PASSED_LATER))) console.log(`        ${line}`);
   if (result.state === "failed" || result.state === "not run") console.log(`${result.output.join("\n")}\n`);
 }
 

@@ -7,15 +7,13 @@ import { documentation, tested } from "./documentation.mjs";
 import { modules, modulesReady, wasmLane } from "./modules.mjs";
 import { root, target } from "./paths.mjs";
 import { CommandError, ask, run } from "./run.mjs";
+import { secondChance } from "./second-chance.mjs";
 import { compiler, forWasm } from "./rust.mjs";
 
 /** @typedef {import("./steps.mjs").Step} Step */
 
 /** Seconds that one test file may take, the slow start of a browser on a busy machine included. */
 const testLimit = 240;
-
-/** Test files that run at once: much of a browser test is waiting. */
-const filesAtOnce = 2;
 
 /** The lane of everything that cargo does in `target/debug`. */
 const host = "host";
@@ -60,20 +58,23 @@ async function rustRunner(options, profile) {
  *
  * @param {Pick<Step, "name" | "lane" | "needs">} step
  * @param {string} folder
- * @param {() => Promise<Record<string, string>>} [env]
+ * @param {{ env?: () => Promise<Record<string, string>>, again?: number }} [how] `again`: how many files with failures are run once more
  * @returns {Step}
  */
-const node = (step, folder, env) => ({
+const node = (step, folder, { env, again = 0 } = {}) => ({
   ...step,
   async run(log) {
     const entries = await readdir(join(root, folder), { recursive: true });
     const files = entries.filter((path) => path.endsWith(".test.js")).map((path) => join(folder, path));
     if (files.length === 0) throw new CommandError(`no test in ${folder}`);
-    const options = [
-      ...["--test", "--test-reporter=spec", `--test-timeout=${testLimit * 1000}`, "--test-force-exit"],
-      `--test-concurrency=${filesAtOnce}`,
-    ];
-    await run(process.execPath, [...options, ...files.sort()], { log, env: { NO_COLOR: "1", ...(await env?.()) } });
+    const added = { NO_COLOR: "1", ...(await env?.()) };
+    const options = ["--test", "--test-reporter=spec", `--test-timeout=${testLimit * 1000}`, "--test-force-exit"];
+    await secondChance(
+      log,
+      again,
+      (chosen, atOnce, each) => run(process.execPath, [...options, `--test-concurrency=${atOnce}`, ...chosen], { log: each, env: added }),
+      files.sort(),
+    );
   },
 });
 
@@ -102,7 +103,8 @@ export const suites = [
   node({ name: "Node tests", needs: ["packages", ...modulesReady] }, "tests/node"),
   documentation(tested),
   // After what the host compiles: a page on a machine that is busy otherwise shows things later than its tests look.
-  node({ name: "browser tests", lane: host, needs: ["page", documentation(tested).name, "browser"] }, "tests/browser", async () => ({
-    CHROME_PATH: (await findBrowser()) ?? "",
-  })),
+  node({ name: "browser tests", lane: host, needs: ["page", documentation(tested).name, "browser"] }, "tests/browser", {
+    env: async () => ({ CHROME_PATH: (await findBrowser()) ?? "" }),
+    again: 3,
+  }),
 ];

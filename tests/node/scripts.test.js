@@ -5,6 +5,8 @@ import { join } from "node:path";
 import { after, test } from "node:test";
 import { countTests } from "../../scripts/lib/counts.mjs";
 import { root, work } from "../../scripts/lib/paths.mjs";
+import { CommandError } from "../../scripts/lib/run.mjs";
+import { PASSED_LATER, secondChance } from "../../scripts/lib/second-chance.mjs";
 import { serve } from "../../scripts/lib/serve.mjs";
 import { inputs, isFresh, mark, unmark } from "../../scripts/lib/stamp.mjs";
 import { runSteps } from "../../scripts/lib/steps.mjs";
@@ -42,6 +44,43 @@ test("steps wait for what they need and for their lane", async () => {
   ]);
   assert.ok(order.indexOf("b starts") > order.indexOf("a ends"));
   assert.ok(order.indexOf("c starts") > order.indexOf("a ends"));
+});
+
+/**
+ * What is logged, and whether it fails, when these files fail in the first run and those in the second.
+ * @param {string[]} first
+ * @param {string[]} second
+ */
+async function twoRuns(first, second) {
+  /** @type {string[]} */
+  const lines = [];
+  /** @type {string[][]} */
+  const ran = [];
+  const failing = [first, second];
+  const runner = async (/** @type {string[]} */ files, /** @type {number} */ _, /** @type {(line: string) => void} */ log) => {
+    const broken = failing[ran.length];
+    ran.push(files);
+    log(`ℹ pass ${3 * files.length - broken.length}`);
+    log(`ℹ fail ${broken.length}`);
+    for (const file of broken) log(`test at ${file}:7:1`);
+    if (broken.length > 0) throw new CommandError("ended with code 1");
+  };
+  const error = await secondChance((line) => lines.push(line), 2, runner, ["a.test.js", "b.test.js", "c.test.js", "d.test.js"]).catch((each) => each);
+  return { ran, isFailed: error !== undefined, counts: countTests(lines), later: lines.filter((line) => line.startsWith(PASSED_LATER)) };
+}
+
+test("test files that fail are run once more, alone, and what passes only then is said", async () => {
+  const passed = await twoRuns([], []);
+  assert.deepEqual([passed.ran.length, passed.isFailed, passed.counts, passed.later], [1, false, { passed: 12, failed: 0 }, []]);
+  const later = await twoRuns(["b.test.js", "b.test.js"], []);
+  assert.deepEqual(later.ran[1], ["b.test.js"]);
+  assert.deepEqual([later.isFailed, later.counts, later.later], [false, { passed: 10, failed: 0 }, [`${PASSED_LATER}b.test.js`]]);
+  const twice = await twoRuns(["b.test.js", "d.test.js"], ["d.test.js"]);
+  assert.deepEqual([twice.isFailed, twice.counts, twice.later], [true, { passed: 10, failed: 1 }, []]);
+  const many = await twoRuns(["a.test.js", "b.test.js", "c.test.js"], []);
+  assert.deepEqual([many.ran.length, many.isFailed, many.counts], [1, true, { passed: 9, failed: 3 }]);
+  const unknown = await twoRuns(["b.test.js", "elsewhere.test.js"], []);
+  assert.deepEqual([unknown.ran.length, unknown.isFailed], [1, true]);
 });
 
 test("a failed step stops only the steps that need it", async () => {

@@ -77,12 +77,13 @@ for (const [width, height] of [
 
 test("the inspector shows every group at 1440 x 900 without scrolling", async (t) => {
   const page = await openPage(t, { viewport: { width: 1440, height: 900 } });
-  const hidden = await page.locator("#inspector").evaluate((inspector) => {
-    const edge = inspector.getBoundingClientRect().bottom;
-    const heads = [...inspector.querySelectorAll(".group-head")];
-    return heads.filter((head) => head.getBoundingClientRect().bottom > edge).map((head) => head.textContent);
-  });
-  assert.deepEqual(hidden, []);
+  const hidden = () =>
+    page.locator("#inspector").evaluate((inspector) => {
+      const edge = inspector.getBoundingClientRect().bottom;
+      const heads = [...inspector.querySelectorAll(".group-head")];
+      return heads.filter((head) => head.getBoundingClientRect().bottom > edge).map((head) => head.textContent);
+    });
+  await eventually(async () => assert.deepEqual(await hidden(), []));
 });
 
 test("every handle is inside the canvas and clear of the controls when the page opens", async (t) => {
