@@ -56,6 +56,10 @@ test("cells apart and seen through, how they continue, and a corner dragged by i
   const colors = new Set(Array.from({ length: width * height }, (_, n) => data.readUInt32BE(4 * n)));
   assert.ok(colors.size > 1000, `${colors.size} colours`);
   assert.deepEqual([...data.subarray(0, 4)], [255, 255, 255, 255]);
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.locator("[data-panel=export] [data-export=copy]").click();
+  await eventually(async () => assert.match(await spoken(page), /The picture is copied/));
+  assert.deepEqual(await page.evaluate(async () => (await navigator.clipboard.read()).flatMap(({ types }) => types)), ["image/png"]);
   await page.locator("[data-panel=export] [data-close]").click();
 
   // The corner in the middle of the block has 26 neighbours, which no other has.

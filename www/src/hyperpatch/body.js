@@ -100,7 +100,7 @@ export class BodyScene {
     const drawn = this.#drawn;
     if (!drawn) return;
     const { surface, sharing, shifts } = drawn;
-    const sides = new Map(sharing.edges.flatMap((edge) => edge.sides.map((side) => [edgeKey(side), edge.sides])));
+    const sides = new Map(!this.#isApart ? [] : sharing.edges.flatMap((edge) => edge.sides.map((side) => [edgeKey(side), edge.sides])));
     /** @type {number[]} */
     const segments = [];
     /** @type {number[]} */
