@@ -9,7 +9,7 @@
  * @import { Shifts } from "./apart.js"
  * @import { Joints } from "./joints.js"
  */
-import { BufferAttribute, BufferGeometry, Mesh } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Mesh } from "three";
 import { cuttingPlanes, movePlane } from "../space/cut.js";
 import { Lines } from "../space/lines.js";
 import { Shadow } from "../space/shadow.js";
@@ -63,6 +63,7 @@ export class BodyScene {
   constructor(space) {
     for (const mesh of [this.#surface, this.#face]) mesh.frustumCulled = false;
     this.#face.material.uniforms.lit.value = 0;
+    this.#face.visible = false;
     // The frame of the plane lies in the face itself, which is to be seen as it is.
     Object.assign(this.#face.material, { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -4 });
     space.add(this.#shadow.object, this.#surface, this.#face, ...this.#lines.map(({ object }) => object), this.#dots.object);
@@ -193,6 +194,10 @@ export class BodyScene {
       Object.assign(material, { transparent: isClear, depthWrite: !isClear });
       material.needsUpdate = true;
     }
+    // Of whole cells no more than the side towards the eye is seen.
+    const isWhole = !isClear && !this.#face.visible && this.#drawn?.empty.length === 0;
+    const side = isWhole && apart > 0 ? FrontSide : DoubleSide;
+    if (material.side !== side) Object.assign(material, { side, needsUpdate: true });
     this.#arrange(isClear ? back : apart > 0 ? scaled(back, -1) : null);
     this.#edges.show(edges);
     this.#dots.show(corners);
