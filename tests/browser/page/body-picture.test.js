@@ -40,6 +40,7 @@ test("cells apart and seen through, how they continue, and a corner dragged by i
   await pick(page, "body-continuity", "shape");
   await eventually(async () => assert.match(await page.locator("[data-meeting=C1]").innerText(), /48$/));
   assert.match(await page.locator("[data-meeting=C0]").innerText(), /0$/);
+  await eventually(async () => assert.equal(await page.locator("[data-meetings]").innerText(), "Corners of shared faces: 48 smooth, 0 with a crease"));
   assert.deepEqual(await audit(page), []);
 
   // The picture of it has the size asked for.

@@ -149,7 +149,7 @@ function openWorkbench(app) {
   stage.append(picture, legend.element, help, message, foot);
   const groupsAt = h("div", { class: "body-groups" });
   aside.append(groupsAt);
-  const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: corner.current(), extent: cut.plane()?.extent ?? null, area });
+  const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: corner.current(), extent: cut.plane()?.extent ?? null, joints: known && jointsNow(known), area });
   const groups = createGroups(
     groupsAt,
     words.region,

@@ -85,6 +85,8 @@ export const words = {
     apart: "Apart",
     transparency: "Transparency",
     continuity: "Continuity between cells",
+    meetings: (/** @type {"shape" | "material"} */ aspect, /** @type {{C1: number, C0: number, none: number}} */ { C1, C0, none }) =>
+      aspect === "shape" ? `Corners of shared faces: ${C1} smooth, ${C0} with a crease` : `Corners of shared faces: ${C1} smooth, ${C0} with a kink, ${none} with a jump`,
     continuities: { off: "Off", shape: "Of shape", material: "Of material" },
     views: { iso: "Corner", front: "Front", side: "Side", top: "Top" },
     viewsLong: { iso: "Seen from a corner", front: "Seen from the front", side: "Seen from the side", top: "Seen from above" },
