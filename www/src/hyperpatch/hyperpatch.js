@@ -128,7 +128,15 @@ function openWorkbench(app) {
       plane,
       chooseCorner: corner.choose,
       chooseCell: (cell) => change({ cell: cell === shown.cell ? null : cell, corner: null }),
-      gizmo: { move: corner.dragTo, end: () => store.endRun(), undo: (run) => void store.cancel(run) },
+      gizmo: {
+        move: corner.dragTo,
+        end() {
+          store.endRun();
+          // Keys go on with what was dragged.
+          keyboard.focus({ preventScroll: true });
+        },
+        undo: (run) => void store.cancel(run),
+      },
       step: () => (ui.value.snap ? nudgeOf(known) : null),
       rested: keepLater,
       turned() {
