@@ -29,9 +29,20 @@ test("cells apart and seen through, how they continue, and a corner dragged by i
   await page.locator("[data-body=checked]").waitFor({ state: "attached" });
   const [, together] = await cost(page);
 
+  const keys = page.locator("[data-body-keys]");
+  await keys.focus();
+  await page.keyboard.press("Enter");
+  await eventually(async () => assert.match(await spoken(page), /^Cell \d, u /));
+
   // Six faces of eight cells rather than the 24 of the boundary.
   await slide(page, "body-apart", 0.5);
   await eventually(async () => assert.ok((await cost(page))[1] > together * 1.5, `${await cost(page)} after ${together}`));
+  // What is read is what is drawn: from the front one looks between the cells.
+  await keys.focus();
+  await page.keyboard.press("6");
+  await eventually(async () => assert.match(await spoken(page), /^Nothing of the body here/));
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("5");
   await slide(page, "body-apart", 0);
   await eventually(async () => assert.ok((await cost(page))[1] < together * 1.5));
 
@@ -64,7 +75,6 @@ test("cells apart and seen through, how they continue, and a corner dragged by i
   await page.locator("[data-panel=export] [data-close]").click();
 
   // The corner in the middle of the block has 26 neighbours, which no other has.
-  const keys = page.locator("[data-body-keys]");
   await keys.focus();
   for (let n = 1; n <= 27; n += 1) {
     await page.keyboard.press("PageDown");
