@@ -21,6 +21,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "solid",
   "solidFile",
   "hyperpatch",
+  "merge",
   "distanceTransform",
   "part",
 ]);

@@ -1,356 +1,134 @@
-//! Bodies of hyperpatches: questions and their answers, in steps.
-//!
-//! What is many goes out as arrays of numbers, which `js/body.js` names.
+//! Bodies of hyperpatches: documents come in and questions are answered, in steps.
 
+use super::answers;
 use super::clock;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
-use crate::document::{
-    self, Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, DocumentError, HyperpatchModel, KnownBody,
-    Painted, Parts, Sample, SharedParts, Stretch, Summary,
-};
-use crate::hyperpatch::composite::{CellId, Contact, FaceContinuity, Matching, Relation};
-use crate::hyperpatch::validity::{Report, Witness};
-use crate::hyperpatch::{Axis, Corner, Edge, Face};
-use glam::DVec3;
-use js_sys::{Array, Float32Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
-use std::ops::Range;
+use super::reading::Reading;
+use crate::document::{Answer, BodyAsk, BodyJob, BodyMemory, DocumentError, DocumentKey, KnownBody, Replay};
+use js_sys::Array;
 use std::rc::Rc;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 /// An answer under way.
 #[wasm_bindgen]
 pub struct Asking {
-    /// The text of a document that is still to be read, with the name of the question and what belongs to it.
-    unread: Option<[String; 3]>,
-    job: Option<BodyJob>,
+    key: DocumentKey,
+    /// The name of the question and what belongs to it.
+    question: [String; 2],
+    state: State,
     known: Option<Rc<KnownBody>>,
     answer: Option<Answer>,
 }
 
+enum State {
+    /// The operations of a document are read.
+    Reading(Reading),
+    /// They are carried out.
+    Replaying(Box<Replay>),
+    /// The body is there.
+    Known,
+    Answering(Box<BodyJob>),
+    Done,
+}
+
 #[wasm_bindgen]
 impl Engine {
-    /// A question about a hyperpatch document by its name, to be answered in steps; what belongs to it comes as JSON.
-    pub fn hyperpatch(&mut self, text: &str, name: &str, rest: &str) -> Asking {
-        let unread = Some([text, name, rest].map(str::to_owned));
-        Asking { unread, job: None, known: None, answer: None }
+    /// A question about a hyperpatch document by its name, to be answered in steps; what belongs to it comes as JSON. The document comes as
+    /// the text of all but its operations with a key for each of these, the same for the same operation alone; or, with `is_apart` false, as one
+    /// text with all of it. Operations that are [`Asking::missing`] have to be supplied.
+    pub fn hyperpatch(&mut self, head: &str, keys: &[u32], is_apart: bool, name: &str, rest: &str) -> Asking {
+        let key = DocumentKey { head: head.to_owned(), operations: keys.to_vec() };
+        let known = self.bodies.find(&key);
+        let state = match known {
+            Some(_) => State::Known,
+            None => State::Reading(Reading::new(&self.bodies, &key, is_apart)),
+        };
+        Asking { key, question: [name, rest].map(str::to_owned), state, known, answer: None }
     }
 
-    /// Goes on with an answer for about `budget` milliseconds; returns the share done, 1 when it is there. Reading a document takes a turn
-    /// of its own.
+    /// Goes on with an answer for about `budget` milliseconds; returns the share done, 1 when it is there.
     #[wasm_bindgen(js_name = answer)]
     pub fn advance_answer(&mut self, asking: &mut Asking, budget: f64) -> Result<f64, JsValue> {
         let clock = clock();
         let start = clock.now();
         let mut may_go_on = || clock.now() - start < budget;
-        if let Some([text, name, rest]) = asking.unread.take() {
-            let known = body(&mut self.bodies, &text).map_err(|error| to_js(&error))?;
-            let ask = parse(&rest)
-                .and_then(|rest| BodyAsk::read(&name, &rest, known.model()))
-                .map_err(|e| to_js(&e))?;
-            asking.job = Some(BodyJob::new(Rc::clone(&known), ask));
-            asking.known = Some(known);
-            if !may_go_on() {
-                return Ok(0.0);
+        loop {
+            let share = asking.advance(&mut self.bodies, &mut may_go_on).map_err(|error| to_js(&error))?;
+            if share == 1.0 || !may_go_on() {
+                return Ok(share);
             }
         }
-        let Some(job) = &mut asking.job else { return Ok(1.0) };
-        asking.answer = job.step(&mut may_go_on);
-        if asking.answer.is_none() {
-            return Ok(job.progress());
-        }
-        asking.job = None;
-        Ok(1.0)
     }
 }
 
-/// The body of a document, read unless it is known.
-fn body(memory: &mut BodyMemory, text: &str) -> Result<Rc<KnownBody>, DocumentError> {
-    if let Some(known) = memory.find(text) {
-        return Ok(known);
+impl Asking {
+    /// Goes on with the present part of the work; returns the share done.
+    fn advance(
+        &mut self,
+        memory: &mut BodyMemory,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<f64, DocumentError> {
+        match std::mem::replace(&mut self.state, State::Done) {
+            State::Reading(mut reading) => {
+                let Some(document) = reading.step(may_go_on)? else {
+                    let share = reading.progress() / 4.0;
+                    self.state = State::Reading(reading);
+                    return Ok(share);
+                };
+                self.state = State::Replaying(Box::new(Replay::new(document, memory.models())?));
+                Ok(0.25)
+            }
+            State::Replaying(mut replay) => {
+                if replay.step(may_go_on) {
+                    self.known = Some(memory.keep(self.key.clone(), replay.finish()));
+                    self.state = State::Known;
+                    return Ok(0.5);
+                }
+                let share = 0.25 + replay.progress() / 4.0;
+                self.state = State::Replaying(replay);
+                Ok(share)
+            }
+            State::Known => {
+                let Some(known) = &self.known else { return Ok(1.0) };
+                let [name, rest] = &self.question;
+                let ask = BodyAsk::read(name, &parse(rest)?, known.model())?;
+                self.state = State::Answering(Box::new(BodyJob::new(Rc::clone(known), ask)));
+                Ok(0.5)
+            }
+            State::Answering(mut job) => {
+                self.answer = job.step(may_go_on);
+                if self.answer.is_some() {
+                    return Ok(1.0);
+                }
+                let share = job.progress();
+                self.state = State::Answering(job);
+                Ok(share)
+            }
+            State::Done => Ok(1.0),
+        }
     }
-    document::check_length(text)?;
-    let model = HyperpatchModel::new(document::read_hyperpatch(&parse(text)?)?)?;
-    Ok(memory.keep(text, model))
 }
 
 #[wasm_bindgen]
 impl Asking {
+    /// Places in the list of the operations that are not known and have to be supplied.
+    pub fn missing(&self) -> Vec<u32> {
+        if let State::Reading(reading) = &self.state { reading.missing() } else { Vec::new() }
+    }
+
+    /// Supplies an operation that is missing as JSON. The cells of one that has some come apart, and their number beside them: where it passes the
+    /// limit they may be left out.
+    pub fn supply(&mut self, place: usize, text: &str, cells: Option<Array>, count: usize) {
+        if let State::Reading(reading) = &mut self.state {
+            reading.supply(place, text, cells, count);
+        }
+    }
+
     /// The answer, which is there when [`Engine::advance_answer`] has returned 1.
     pub fn result(self) -> Result<JsValue, JsValue> {
         let (Some(answer), Some(known)) = (&self.answer, &self.known) else { return Ok(JsValue::UNDEFINED) };
-        let bag = Bag::new();
-        match answer {
-            Answer::Cells(rows) => cells(&bag, rows)?,
-            Answer::Sample(sample) => return found(sample),
-            Answer::Probe(sample) => return sample.as_ref().map_or(Ok(JsValue::NULL), found),
-            Answer::Verdicts(reports) => verdicts(&bag, known, reports)?,
-            Answer::Summary(summary) => summed(&bag, known, summary)?,
-            Answer::Amounts { volume, amounts } => {
-                bag.number("volume", *volume)?;
-                bag.doubles("amounts", amounts)?;
-            }
-            Answer::Section(painted, area) => {
-                drawn(&bag, painted)?;
-                bag.set("outline", Uint32Array::from(painted.outlines.as_flattened()).into())?;
-                bag.number("area", *area)?;
-            }
-            Answer::Surface(painted, boundary) => {
-                drawn(&bag, painted)?;
-                bag.floats("normals", &numbers(&painted.normals))?;
-                bag.number("deviation", painted.deviation)?;
-                edges(&bag, boundary)?;
-            }
-            Answer::Relations(relations) => bag.doubles("relations", &related(relations))?,
-            Answer::Continuity(faces, contacts) => {
-                bag.doubles("faces", &faces.iter().flat_map(continued).collect::<Vec<_>>())?;
-                bag.doubles("contacts", &contacts.iter().flat_map(contact).collect::<Vec<_>>())?;
-            }
-            Answer::Sharing(parts) => shared(&bag, parts)?,
-            Answer::Grid(found) => grid(&bag, found.components())?,
-            Answer::File(bytes) => return Ok(Uint8Array::from(bytes.as_slice()).into()),
-        }
-        Ok(bag.0.into())
+        answers::written(answer, known)
     }
-}
-
-/// An object that is filled.
-struct Bag(Object);
-
-impl Bag {
-    fn new() -> Self {
-        Self(Object::new())
-    }
-
-    fn set(&self, name: &str, value: JsValue) -> Result<(), JsValue> {
-        Reflect::set(&self.0, &name.into(), &value).map(|_| ())
-    }
-
-    fn number(&self, name: &str, value: f64) -> Result<(), JsValue> {
-        self.set(name, value.into())
-    }
-
-    fn floats(&self, name: &str, values: &[f32]) -> Result<(), JsValue> {
-        self.set(name, Float32Array::from(values).into())
-    }
-
-    fn doubles(&self, name: &str, values: &[f64]) -> Result<(), JsValue> {
-        self.set(name, Float64Array::from(values).into())
-    }
-
-    fn counts(&self, name: &str, values: &[u32]) -> Result<(), JsValue> {
-        self.set(name, Uint32Array::from(values).into())
-    }
-}
-
-fn numbers(points: &[DVec3]) -> Vec<f32> {
-    points.iter().flat_map(|point| point.as_vec3().to_array()).collect()
-}
-
-fn cells(bag: &Bag, rows: &[CellRow]) -> Result<(), JsValue> {
-    bag.counts("ids", &rows.iter().map(|row| row.cell.0).collect::<Vec<_>>())?;
-    let corners: Vec<f64> = rows.iter().flat_map(|row| row.corners).flat_map(|p| p.to_array()).collect();
-    bag.doubles("corners", &corners)?;
-    bag.doubles("margins", &rows.iter().map(|row| row.margin).collect::<Vec<_>>())?;
-    bag.doubles("volumes", &rows.iter().map(|row| row.volume).collect::<Vec<_>>())
-}
-
-fn found(sample: &Sample) -> Result<JsValue, JsValue> {
-    let bag = Bag::new();
-    let list = |values: &[f64]| values.iter().map(|value| JsValue::from(*value)).collect::<Array>();
-    bag.number("cell", f64::from(sample.cell.0))?;
-    bag.set("uvw", list(&sample.at.to_array()).into())?;
-    bag.set("position", list(&sample.position.to_array()).into())?;
-    bag.set("mix", list(&sample.mix).into())?;
-    Ok(bag.0.into())
-}
-
-/// Of each cell: number, verdict, whether mirrored, margin, least determinant found and proven, kind of the witness, its parameters (two
-/// places), the determinant there, the point.
-fn verdicts(bag: &Bag, known: &KnownBody, reports: &[(CellId, Report)]) -> Result<(), JsValue> {
-    let list: Vec<f64> = reports.iter().flat_map(|(id, report)| judged(known, *id, report)).collect();
-    bag.doubles("verdicts", &list)
-}
-
-fn judged(known: &KnownBody, id: CellId, report: &Report) -> [f64; 17] {
-    let (kind, first, second, jacobian) = match report.witness {
-        None => (0.0, DVec3::ZERO, DVec3::ZERO, 0.0),
-        Some(Witness::Folded { at, jacobian }) => (1.0, at, at, jacobian),
-        Some(Witness::Meeting { first, second }) => (2.0, first, second, 0.0),
-    };
-    let point = known.model().body().cell(id).map_or(DVec3::ZERO, |cell| cell.point(first));
-    [
-        f64::from(id.0),
-        report.verdict as usize as f64,
-        f64::from(u8::from(report.is_mirrored)),
-        report.margin,
-        known.least_determinant(id, report),
-        report.certificate.lower,
-        kind,
-        first.x,
-        first.y,
-        first.z,
-        second.x,
-        second.y,
-        second.z,
-        jacobian,
-        point.x,
-        point.y,
-        point.z,
-    ]
-}
-
-fn summed(bag: &Bag, known: &KnownBody, summary: &Summary) -> Result<(), JsValue> {
-    let counts = summary.verdicts.map(|count| count as u32);
-    bag.counts("counts", &counts)?;
-    bag.number("mirrored", summary.mirrored as f64)?;
-    bag.number("sharedFaces", summary.shared_faces as f64)?;
-    bag.number("outerFaces", summary.outer_faces as f64)?;
-    bag.number("sumError", summary.sum_error)?;
-    bag.doubles("relations", &related(&summary.doubtful))?;
-    verdicts(bag, known, summary.worst.as_slice())
-}
-
-/// Of each pair: the cells, the relation, numbers of shared faces, edges and corners, the point, parameters in both cells.
-fn related(relations: &[([CellId; 2], Relation)]) -> Vec<f64> {
-    let row = |(cells, relation): &([CellId; 2], Relation)| -> [f64; 15] {
-        let mut row = [0.0; 15];
-        row[..2].copy_from_slice(&cells.map(|id| f64::from(id.0)));
-        match relation {
-            Relation::Disjoint => {}
-            Relation::Shares { faces, edges, corners } => {
-                row[2..6].copy_from_slice(&[1.0, *faces as f64, *edges as f64, *corners as f64]);
-            }
-            Relation::Overlaps { point, at } => {
-                row[2] = 2.0;
-                row[6..9].copy_from_slice(&point.to_array());
-                row[9..12].copy_from_slice(&at[0].to_array());
-                row[12..].copy_from_slice(&at[1].to_array());
-            }
-            Relation::Touches { at } => {
-                row[2] = 3.0;
-                row[9..12].copy_from_slice(&at.to_array());
-            }
-            Relation::Unproven => row[2] = 4.0,
-        }
-        row
-    };
-    relations.iter().flat_map(row).collect()
-}
-
-/// What a section and a surface have in common.
-fn drawn(bag: &Bag, painted: &Painted) -> Result<(), JsValue> {
-    bag.floats("positions", &numbers(&painted.positions))?;
-    bag.floats("parameters", &numbers(&painted.parameters))?;
-    bag.counts("cells", &painted.cells)?;
-    bag.floats("fractions", &painted.fractions.iter().map(|&part| part as f32).collect::<Vec<_>>())?;
-    bag.set("colors", Uint8Array::from(painted.colors.as_slice()).into())?;
-    bag.counts("indices", painted.triangles.as_flattened())?;
-    let patches: Vec<u32> = painted.stretches.iter().flat_map(stretch).collect();
-    bag.counts("patches", &patches)
-}
-
-/// Cell, face, and where vertices, indices and indices of outlines start and how many there are.
-fn stretch(stretch: &Stretch) -> [u32; 8] {
-    let [a, b] = range(&stretch.vertices, 1);
-    let [c, d] = range(&stretch.triangles, 3);
-    let [e, f] = range(&stretch.outlines, 2);
-    [stretch.cell.0, stretch.face.map_or(0, face_number), a, b, c, d, e, f]
-}
-
-fn range(range: &Range<usize>, times: usize) -> [u32; 2] {
-    [range.start, range.len()].map(|count| (count * times) as u32)
-}
-
-fn face_number(face: Face) -> u32 {
-    2 * face.axis as u32 + u32::from(face.is_end)
-}
-
-fn edge_number(edge: Edge) -> u32 {
-    4 * edge.axis as u32 + 2 * u32::from(edge.ends[0]) + u32::from(edge.ends[1])
-}
-
-fn corner_number(corner: Corner) -> u32 {
-    corner.0.iter().fold(0, |number, &is_end| 2 * number + u32::from(is_end))
-}
-
-/// Boundary curves: cell, edge, number of cells, and where its points start and how many there are. Corners: cell, corner, number of
-/// cells.
-fn edges(bag: &Bag, boundary: &Boundary) -> Result<(), JsValue> {
-    let edge = |(cell, edge, users, points): &(CellId, Edge, usize, Range<usize>)| {
-        [cell.0, edge_number(*edge), *users as u32, points.start as u32, points.len() as u32]
-    };
-    bag.floats("edgePositions", &numbers(&boundary.points))?;
-    bag.counts("edges", &boundary.edges.iter().flat_map(edge).collect::<Vec<_>>())?;
-    let corner = |(cell, corner, users, _): &(CellId, Corner, usize, DVec3)| {
-        [cell.0, corner_number(*corner), *users as u32]
-    };
-    bag.counts("corners", &boundary.corners.iter().flat_map(corner).collect::<Vec<_>>())?;
-    let positions: Vec<f64> = boundary.corners.iter().flat_map(|(.., point)| point.to_array()).collect();
-    bag.doubles("cornerPositions", &positions)
-}
-
-fn side((cell, face): (CellId, Face)) -> [f64; 2] {
-    [f64::from(cell.0), f64::from(face_number(face))]
-}
-
-fn matched(matching: Matching) -> f64 {
-    let [a, b] = matching.is_reversed.map(u8::from);
-    f64::from(4 * u8::from(matching.is_swapped) + 2 * a + b)
-}
-
-/// Both cells with their faces, how these lie on each other, continuity of shape and of material, and the four corners with theirs.
-fn continued(found: &FaceContinuity) -> Vec<f64> {
-    let mut row: Vec<f64> = found.face.sides.into_iter().flat_map(side).collect();
-    row.extend([matched(found.face.matching), found.shape as usize as f64, found.material as usize as f64]);
-    for corner in found.corners {
-        row.push(f64::from(corner_number(corner.corner)));
-        row.extend([corner.shape as usize as f64, corner.material as usize as f64]);
-    }
-    row
-}
-
-/// Both cells with their faces, how these lie on each other, the gap, and which corners of the first cell are common, by bits.
-fn contact(found: &Contact) -> Vec<f64> {
-    let mut row: Vec<f64> = found.sides.into_iter().flat_map(side).collect();
-    let bits = found.corners.iter().fold(0, |bits, corner| bits | 1_u32 << corner_number(*corner));
-    row.extend([matched(found.matching), found.gap, f64::from(bits)]);
-    row
-}
-
-fn shared(bag: &Bag, parts: &Parts) -> Result<(), JsValue> {
-    listed(bag, "corner", &parts.corners, corner_number)?;
-    listed(bag, "edge", &parts.edges, edge_number)?;
-    listed(bag, "face", &parts.faces, face_number)?;
-    let positions: Vec<f64> = parts.positions.iter().flat_map(DVec3::to_array).collect();
-    bag.doubles("positions", &positions)
-}
-
-/// Numbers of cells of each part, and these cells each with the number of the part in it.
-fn listed<P: Copy>(
-    bag: &Bag,
-    name: &str,
-    parts: &SharedParts<P>,
-    number: fn(P) -> u32,
-) -> Result<(), JsValue> {
-    bag.counts(
-        &format!("{name}Counts"),
-        &parts.counts.iter().map(|count| *count as u32).collect::<Vec<_>>(),
-    )?;
-    bag.counts(
-        &format!("{name}Users"),
-        &parts.users.iter().flat_map(|(id, part)| [id.0, number(*part)]).collect::<Vec<_>>(),
-    )
-}
-
-/// Positions as they stand one after the other, and a column for each material.
-fn grid(bag: &Bag, components: &[Vec<f32>]) -> Result<(), JsValue> {
-    let (places, fractions) = components.split_at(3.min(components.len()));
-    let names = Axis::ALL.map(|axis| ["x", "y", "z"][axis as usize]);
-    for (name, column) in names.into_iter().zip(places) {
-        bag.floats(name, column)?;
-    }
-    let columns = fractions.iter().map(|column| Float32Array::from(column.as_slice())).collect::<Array>();
-    bag.set("fractions", columns.into())
 }

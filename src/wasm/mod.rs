@@ -5,6 +5,8 @@
 
 #[cfg(feature = "amounts")]
 mod amounts;
+#[cfg(feature = "hyperpatch")]
+mod answers;
 #[cfg(feature = "edit")]
 mod edit;
 mod engine;
@@ -21,6 +23,8 @@ mod painting;
 mod part;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "hyperpatch")]
+mod reading;
 mod results;
 #[cfg(feature = "solid")]
 mod solid;

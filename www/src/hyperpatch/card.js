@@ -13,14 +13,10 @@
  */
 import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed, percent } from "../format.js";
+import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
 import { bodyOf } from "./document.js";
+import { sign } from "./verdict.js";
 import { words } from "./words.js";
-
-/** Distance of the card from the place, and of its edge from the picture, in CSS pixels. */
-const GAP = 18;
-const EDGE = 8;
-/** Fractions that are not shown. */
-const NOTHING = 5e-4;
 
 /** @param {App} app */
 export function createMarks(app) {
@@ -28,7 +24,12 @@ export function createMarks(app) {
   const cross = svg("path", { class: "read-cross", d: "M-9 0H9M0 -9V9" });
   const corner = svg("g", { class: "body-corner" }, svg("circle", { r: 12.5, class: "halo" }), svg("circle", { r: 5.5, class: "dot" }));
   const witnesses = svg("g", {});
-  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, witnesses, corner, ring, cross);
+  const badges = svg("g", { "data-body-badges": "" });
+  const grid = svg("path", { class: "body-grid" });
+  const points = svg("path", { class: "body-grid-points" });
+  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, badges, grid, points, witnesses, corner, ring, cross);
+  /** Verdicts that badges have now. */
+  let badged = "";
   const card = h("div", { class: "probe", "aria-hidden": "true", hidden: true, "data-body-reading": "" });
 
   /** @param {SVGElement} mark @param {Point | null} at */
@@ -42,6 +43,20 @@ export function createMarks(app) {
     card,
     /** @param {Point | null} at */
     corner: (at) => put(corner, at),
+    /** The small grid of the neighbours of the chosen corner. @param {[Point, Point][]} lines @param {Point[]} dots */
+    neighbours(lines, dots) {
+      attribute(grid, "d", lines.map((ends) => `M${ends.map(text).join("L")}`).join(""));
+      attribute(points, "d", dots.map((dot) => `M${text(dot)}h0`).join(""));
+    },
+    /** Cells that are not regular, at their middles. @param {{at: Point, verdict: import("../../../js/directrix.js").VerdictName}[]} shown */
+    badges(shown) {
+      const key = shown.map(({ verdict }) => verdict).join();
+      if (key !== badged) {
+        badged = key;
+        badges.replaceChildren(...shown.map(({ verdict }) => svg("g", { class: "body-badge", "data-badge": verdict }, svg("circle", { r: 10 }), svg("g", { transform: "translate(-8 -8)" }, sign(verdict)))));
+      }
+      shown.forEach(({ at }, n) => put(/** @type {SVGElement} */ (badges.children[n]), at));
+    },
     /** @param {Point[]} places of witnesses on the screen */
     witnesses(places) {
       while (witnesses.children.length > places.length) witnesses.lastElementChild?.remove();
@@ -63,32 +78,23 @@ export function createMarks(app) {
       put(cross, isCross ? at : null);
       if (!at || !reading) return;
       card.replaceChildren(...content(app, reading));
-      const [wide, high] = [card.offsetWidth, card.offsetHeight];
-      const x = at[0] + GAP + wide < size.width - EDGE ? at[0] + GAP : at[0] - GAP - wide;
-      const y = at[1] + GAP + high < size.height - EDGE ? at[1] + GAP : at[1] - GAP - high;
-      card.style.transform = `translate(${Math.round(Math.max(EDGE, x))}px, ${Math.round(Math.max(EDGE, y))}px)`;
+      placeCard(card, at, size);
     },
   };
 }
 
+/** @param {Point} at */
+const text = (at) => at.map((value) => value.toFixed(1)).join(" ");
+
 /** @param {App} app @param {BodyReading} reading */
 function content(app, { cell, uvw, point, mix }) {
   const { materials, unit } = bodyOf(app);
-  const entry = (/** @type {string} */ label, /** @type {string} */ value) =>
-    h("div", { class: "probe-row" }, h("span", {}, label), h("span", { class: "number" }, value));
-  const bar = h("div", { class: "fraction-bar" });
   const present = mix.map((fraction, i) => ({ fraction, material: materials[i] })).filter(({ fraction }) => fraction >= NOTHING);
-  for (const { fraction, material } of present) {
-    const part = h("span", {});
-    part.style.flexGrow = String(fraction);
-    part.style.backgroundColor = material.color;
-    bar.append(part);
-  }
   return [
     h("div", { class: "probe-head" }, h("strong", {}, words.cells.nth(cell)), h("span", { class: "number" }, unit)),
     entry("u, v, w", uvw.map((t) => fixed(t, 2)).join(", ")),
     entry("x, y, z", point.map(coordinate).join(", ")),
-    bar,
+    fractionBar(mix, materials),
     ...present.map(({ fraction, material }) => entry(material.name, percent(fraction))),
   ];
 }

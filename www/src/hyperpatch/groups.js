@@ -4,7 +4,6 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "../inspector/group.js"
  * @import { StandardView } from "../space/camera.js"
- * @import { Section, SectionAxis } from "../solid/state.js"
  * @import { CellVerdict } from "../../../js/directrix.js"
  * @import { Known } from "./runner.js"
  * @import { Shown } from "./state.js"
@@ -15,6 +14,7 @@
  * @property {{position: readonly number[], sides: readonly import("./edits.js").Side[]} | null} corner the chosen one
  * @property {Shown} shown
  * @property {[number, number] | null} extent of the section plane's way, document units
+ * @property {import("./joints.js").Joints | null} joints how cells continue each other, where it is shown
  * @property {number | null} area of the face of the cut
  *
  * @typedef {object} Acts
@@ -32,10 +32,10 @@ import { select } from "../controls/select.js";
 import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed, percent } from "../format.js";
-import { shownKey } from "../commands.js";
-import { placeOf, sectionText, shareOf } from "../solid/groups.js";
+import { fact } from "../space/card.js";
 import { measure } from "../space/measure.js";
-import { keyOf } from "../space/keys.js";
+import { sectionRows } from "../space/section-group.js";
+import { viewButtons } from "../space/stand.js";
 import { relativeJacobian } from "./colors.js";
 import { bodyOf } from "./document.js";
 import { boundsOf } from "./state.js";
@@ -46,8 +46,7 @@ import { words } from "./words.js";
 const LISTED = 60;
 /** Largest coordinate of the format. */
 const FAR = 1e9;
-/** Steps of the section's slider, and of the fields of a corner as a share of the body. */
-const STEP = 0.001;
+/** A step of the fields of a corner, as a share of the body. */
 const NUDGE = 0.01;
 
 /**
@@ -71,10 +70,6 @@ export function nudgeOf(known) {
 /** Cells from the worst on, and of those with one verdict by their numbers. @param {readonly CellVerdict[]} verdicts */
 export const worstFirst = (verdicts) =>
   [...verdicts].sort((a, b) => WORST_FIRST.indexOf(a.verdict) - WORST_FIRST.indexOf(b.verdict) || a.cell - b.cell);
-
-/** @param {string} text @param {Node | string} value @param {string} name */
-const fact = (text, value, name) =>
-  h("div", { class: "space-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function cellsGroup(app, now, { change }) {
@@ -152,6 +147,7 @@ function cellFacts(app, known, verdict, volume) {
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) {
+  const snapText = h("span", {});
   const fields = /** @type {const} */ ([0, 1, 2]).map((axis) => {
     const name = ["x", "y", "z"][axis];
     const label = `${words.corner.position} ${name}`;
@@ -166,11 +162,12 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
     { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "corner"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
     (value) => change({ reach: value }),
   );
+  const snap = checkBox({ name: "corner-snap", text: [snapText] }, (on) => app.ui.set({ snap: on }));
   const about = h("p", { class: "body-note" });
   const note = h("p", { class: "body-note" });
   const next = h("button", { type: "button", class: "push", "data-corner-next": "", onclick: nextCorner }, words.corner.next);
   const clear = h("button", { type: "button", class: "push", "data-corner-clear": "", onclick: () => change({ corner: null }) }, words.corner.clear);
-  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note);
+  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note, snap.element);
   return {
     name: "corner",
     heading: words.groups.corner,
@@ -183,6 +180,8 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
       const { corner } = now();
       rows.hidden = clear.hidden = !corner;
       write(about, corner ? words.corner.shared(new Set(corner.sides.map(({ cell }) => cell)).size) : words.corner.hint);
+      snap.set(app.ui.value.snap);
+      write(snapText, words.corner.snap(`${nudgeOf(now().known)}\u00a0${bodyOf(app).unit}`.trim()));
       reach.set(now().shown.reach);
       write(note, words.corner.reachNote[now().shown.reach]);
       if (corner) fields.forEach((field, axis) => field.set(Number(corner.position[axis].toPrecision(12))));
@@ -192,46 +191,21 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function sectionGroup(app, now, { change }) {
-  const put = (/** @type {Partial<Section>} */ patch) => change({ section: { ...now().shown.section, ...patch } });
-  const axis = segment(
-    { label: words.section.axis, name: "body-axis", choices: /** @type {const} */ (["off", "x", "y", "z", "view"]).map((value) => ({ value, text: words.section.axes[value] })) },
-    (value) => put({ axis: /** @type {SectionAxis} */ (value) }),
+  const rows = sectionRows(
+    { name: "body", words: words.section, step: () => nudgeOf(now().known), decimals: 2 },
+    () => ({ section: now().shown.section, extent: now().extent, unit: bodyOf(app).unit }),
+    (section) => change({ section }),
   );
-  const place = slider({ label: words.section.field, name: "body-at", min: 0, max: 1, step: STEP }, { change: (at) => put({ at }) });
-  const field = numberField(
-    { label: words.section.field, name: "body-place", min: -FAR, max: FAR, step: () => nudgeOf(now().known), decimals: 2, rounded: true },
-    {
-      change(value) {
-        const { extent, shown } = now();
-        if (extent) put({ at: shareOf(value, extent, shown.section.axis) });
-      },
-    },
-  );
-  field.element.classList.add("short");
-  const other = checkBox({ name: "body-other", text: [words.section.other] }, (flipped) => put({ flipped }));
   const area = h("div", {});
-  const on = h("div", {}, row(words.section.at, place, field), row("", other), area, h("p", { class: "body-note" }, words.section.note));
+  rows.on.append(area, h("p", { class: "body-note" }, words.section.note));
   return {
     name: "section",
     heading: words.groups.section,
-    body: h("div", {}, row(words.section.axis, axis), on),
-    phrase() {
-      const { shown, extent } = now();
-      const { axis: across, at } = shown.section;
-      return across === "off" || !extent ? words.section.off : sectionText(across, placeOf(at, extent, across), bodyOf(app).unit);
-    },
+    body: rows.element,
+    phrase: rows.phrase,
     render() {
-      const { shown, extent, area: cut } = now();
-      const { section } = shown;
-      axis.set(section.axis);
-      on.hidden = section.axis === "off";
-      place.set(section.at);
-      other.set(section.flipped);
-      if (extent && section.axis !== "off") {
-        const value = placeOf(section.at, extent, section.axis);
-        field.set(Number(value.toPrecision(9)));
-        place.input.setAttribute("aria-valuetext", sectionText(section.axis, value, bodyOf(app).unit));
-      }
+      rows.render();
+      const { area: cut } = now();
       const next = cut === null ? [] : [fact(words.section.area, measure(cut, bodyOf(app).unit, 2), "area")];
       if (area.textContent !== (next[0]?.textContent ?? "")) area.replaceChildren(...next);
     },
@@ -275,17 +249,18 @@ function showGroup(app, now, { change, look }) {
     (value) => change({ color: value }),
   );
   const boxes = /** @type {const} */ (["edges", "corners", "light"]).map((name) => ({ name, ...checkBox({ name: `body-${name}`, text: [words.show[name]] }, (on) => change({ [name]: on })) }));
+  const share = (/** @type {"apart" | "transparency"} */ name) => slider({ label: words.show[name], name: `body-${name}`, min: 0, max: 1, step: 0.01 }, { change: (value) => change({ [name]: value }) });
+  const [apart, transparency] = [share("apart"), share("transparency")];
+  const continuity = segment(
+    { label: words.show.continuity, name: "body-continuity", choices: /** @type {const} */ (["off", "shape", "material"]).map((value) => ({ value, text: words.show.continuities[value] })) },
+    (value) => change({ continuity: value }),
+  );
+  continuity.element.classList.add("wide");
+  const meetings = h("p", { class: "body-note", "data-meetings": "" });
   const material = h("div", {});
   let names = "";
   /** @type {ReturnType<typeof select> | null} */
   let choice = null;
-  const views = /** @type {const} */ (["iso", "front", "side", "top"]).map((view) =>
-    h(
-      "button",
-      { type: "button", class: "push space-view", "data-body-view": view, title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`, onclick: () => look(view) },
-      words.show.views[view],
-    ),
-  );
   return {
     name: "show",
     heading: words.groups.show,
@@ -295,13 +270,25 @@ function showGroup(app, now, { change, look }) {
       h("div", { class: "body-color" }, color.element),
       material,
       h("div", { class: "layers body-layers" }, ...boxes.map(({ element }) => element)),
-      h("div", { class: "space-views", role: "group", "aria-label": words.show.view }, ...views),
+      row(words.show.apart, apart),
+      row(words.show.transparency, transparency),
+      h("p", { class: "body-label" }, words.show.continuity),
+      continuity.element,
+      meetings,
+      viewButtons("body", words.show, look),
     ),
     phrase: () => words.show.colors[now().shown.color],
     render() {
       const { shown } = now();
       const { materials } = bodyOf(app);
       color.set(shown.color);
+      apart.set(shown.apart);
+      transparency.set(shown.transparency);
+      for (const { input } of [apart, transparency]) attribute(input, "aria-valuetext", percent(Number(input.value)));
+      continuity.set(shown.continuity);
+      const { joints } = now();
+      write(meetings, joints && shown.continuity !== "off" ? words.show.meetings(shown.continuity, joints.counts) : "");
+      meetings.hidden = meetings.textContent === "";
       for (const { name, set } of boxes) set(shown[name]);
       const key = JSON.stringify(materials.map(({ name }) => name));
       if (key !== names) {

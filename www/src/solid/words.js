@@ -73,7 +73,7 @@ export const words = {
     axis: "Across",
     axes: { off: "Off", x: "x", y: "y", z: "z", view: "View" },
     at: "Place",
-    atField: "Place of the section",
+    field: "Place of the section",
     other: "Other side",
     handle: "Section plane",
     value: (/** @type {string} */ axis, /** @type {string} */ at) => (axis === "view" ? `${at} from the middle` : `${axis} = ${at}`),
@@ -152,6 +152,8 @@ export const words = {
     background: "Background",
     transparent: "transparent",
     download: "Download",
+    copy: "Copy",
+    copied: "The picture is copied",
     downloaded: (/** @type {string} */ file) => `Downloaded ${file}`,
     failed: (/** @type {string} */ reason) => `That did not work: ${reason}.`,
     notes: {
