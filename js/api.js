@@ -1,5 +1,7 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
+import { packed } from "./operations.js";
+import { received } from "./post.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
 import { spanOf } from "./span.js";
@@ -100,12 +102,12 @@ export function createApi(engine) {
     return { step, run, end: () => (name === "solid" ? { solid: result() } : { file: result() }) };
   };
   /**
-   * @param {string} text
-   * @param {import("./body.js").Question | "cells"} question
+   * @param {import("./operations.js").Packed} document
+   * @param {import("./body.js").Asked} question
    * @param {object} rest
    */
-  const body = (text, question, rest) => {
-    const work = ask(() => asking(whole(engine, "hyperpatch"), text, question, rest));
+  const body = (document, question, rest) => {
+    const work = ask(() => asking(whole(engine, "hyperpatch"), document, question, rest));
     return {
       step: (/** @type {number} */ budget) => ask(() => work.step(budget)),
       end: () => ({ answer: ask(() => work.answer()) }),
@@ -164,17 +166,17 @@ export function createApi(engine) {
     solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
     solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
     hyperpatch(document) {
-      const text = ask(() => toText(document));
+      const parts = packed(document);
       const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
-        const work = body(text, question, rest);
+        const work = body(parts, question, rest);
         work.step(Infinity);
         return work.end().answer;
       };
-      return { cells: answer("cells", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
+      return { ...answer("body", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
     },
     job(document, { paint, solid, solidFile, hyperpatch, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       if (hyperpatch) {
-        const work = body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {});
+        const work = body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {});
         /** @type {import("./directrix.js").Progress | undefined} */
         let last;
         const step = (/** @type {number} */ budget) => {

@@ -2,7 +2,8 @@
  * Bodies of hyperpatches: what is asked of the module, and names for the lists of numbers that it answers with.
  *
  * @typedef {import("./directrix.js").Hyperpatch} Hyperpatch
- * @typedef {Exclude<keyof Hyperpatch, "cells">} Question
+ * @typedef {Exclude<keyof Hyperpatch, "cells" | "operations">} Question
+ * @typedef {Question | "cells" | "body"} Asked
  */
 import { toText } from "./text.js";
 
@@ -10,6 +11,9 @@ const VERDICTS = /** @type {const} */ (["regular", "valid", "locally-valid", "de
 const RELATIONS = /** @type {const} */ (["disjoint", "shares", "overlaps", "touches", "not-proven"]);
 const CONTINUITY = /** @type {const} */ (["none", "C0", "C1"]);
 const FACES = /** @type {const} */ (["u0", "u1", "v0", "v1", "w0", "w1"]);
+const OPERATIONS = /** @type {const} */ ([
+  "cells", "move", "continuity", "mix", "slope", "delete", "copy", "mirror", "reorient", "extrude", "subdivide",
+]);
 const AXES = /** @type {const} */ (["u", "v", "w"]);
 
 /**
@@ -31,6 +35,8 @@ const QUESTIONS = {
   sharing: () => ({}),
   grid: (cell, counts) => ({ cell, counts }),
   file: (options) => ({ options }),
+  moves: (cell, at, reach = "block") => ({ cell, at, reach }),
+  cellsDocument: () => ({}),
 };
 
 /**
@@ -56,22 +62,29 @@ export const inNames = (question, args) => QUESTIONS[question](...args);
  * A question under way.
  *
  * @param {import("./pkg/directrix_full.js").Engine} engine
- * @param {string} text of the document
- * @param {Question | "cells"} question
+ * @param {import("./operations.js").Packed} document
+ * @param {Asked} question
  * @param {object} rest
  */
-export function asking(engine, text, question, rest) {
+export function asking(engine, { head, keys, apart, write, known }, question, rest) {
   const name = question === "volume" ? "amounts" : question;
-  const asked = engine.hyperpatch(text, name, toText(rest));
+  const asked = engine.hyperpatch(head, keys, apart, name, toText(rest));
+  for (const place of asked.missing()) {
+    const { text, cells, count = 0 } = write(place);
+    asked.supply(place, text, cells, count);
+  }
   return {
     /** Goes on for about so many milliseconds; returns the share done. @param {number} budget */
     step: (budget) => engine.answer(asked, budget),
     /** The answer, once it is there. */
-    answer: () => NAMED[question](asked.result(), rest),
+    answer: () => {
+      known?.();
+      return NAMED[question](asked.result(), rest);
+    },
   };
 }
 
-/** @type {Record<Question | "cells", (raw: any, rest: any) => any>} */
+/** @type {Record<Asked, (raw: any, rest: any) => any>} */
 const NAMED = {
   cells: ({ ids, corners, margins, volumes }) =>
     Array.from(ids, (id, n) => ({
@@ -80,6 +93,9 @@ const NAMED = {
       margin: margins[n],
       volume: volumes[n],
     })),
+  body: (raw, rest) => ({ cells: NAMED.cells(raw, rest), operations: operations(raw) }),
+  moves: ({ moves }) => rows(moves, 3).map(([cell, at, share]) => ({ cell, at: [at >> 4, (at >> 2) & 3, at & 3], share })),
+  cellsDocument,
   sample: ({ position, mix }) => ({ position, mix }),
   probe: (found) => found && { cell: found.cell, uvw: found.uvw, mix: found.mix },
   verdicts: ({ verdicts }) => rows(verdicts, 17).map(verdict),
@@ -184,6 +200,34 @@ function groups(counts, users, named) {
       return named(users[at - 2], users[at - 1]);
     }),
   );
+}
+
+/** What came of each operation. @param {any} raw */
+function operations({ operations, operationCells, reasons }) {
+  let [at, refused] = [0, 0];
+  const take = (/** @type {number} */ count) => Array.from(operationCells.subarray(at, (at += count)));
+  return rows(operations, 6).map(([id, op, applied, touched, made, removed]) => ({
+    id,
+    op: OPERATIONS[op],
+    applied: applied === 1,
+    reason: applied ? null : reasons[refused++],
+    touched: take(touched),
+    made: take(made),
+    removed: take(removed),
+  }));
+}
+
+/** A document with one operation that writes all cells out. @param {any} raw */
+function cellsDocument({ title, unit, materials, positions, mixes }) {
+  const count = materials.length;
+  const coefficient = (/** @type {number} */ n) => ({
+    position: three(positions, 3 * n),
+    mix: Array.from(mixes.subarray(count * n, count * (n + 1))),
+  });
+  const cells = Array.from({ length: positions.length / 192 }, (_, cell) => ({
+    coefficients: Array.from({ length: 64 }, (_, n) => coefficient(64 * cell + n)),
+  }));
+  return { directrix: 1, kind: "hyperpatch", title, unit, materials, operations: cells.length ? [{ op: "cells", cells }] : [] };
 }
 
 /** @param {number[]} row @param {boolean} isFace */

@@ -26,7 +26,7 @@ export async function connect(options = {}) {
     .../** @type {any} */ (Object.fromEntries(functions)),
     hyperpatch: async (/** @type {any} */ document, /** @type {any} */ control) => {
       const { body } = await import("./remote-body.js");
-      return body((args) => client.call("hyperpatch", args), document, control);
+      return body(client, document, control);
     },
     close: () => client.close(),
     runsIn: client.runsIn,

@@ -105,8 +105,51 @@ export interface HyperpatchDocument {
   title?: string;
   unit?: string;
   materials?: Material[];
-  /** What makes the body, in order: such as `{ op: "cells", cells }`. */
-  operations: { op: string; [field: string]: unknown }[];
+  /** What makes the body, in order. An operation that is the same object as before is taken as the same operation. */
+  operations: HyperpatchOperation[];
+}
+
+/** A coefficient of a cell that is written out; without a mix it is all of the first material. */
+export interface CellCoefficient {
+  position: Triple;
+  mix?: number[];
+}
+
+/** How cells are to continue each other at a corner of a face: not at all, with a common block, with common slopes as well. */
+export type MarkName = "none" | "C0" | "C1";
+
+/** An operation on a body; docs/format.md says what each does. `id` is by default one more than the largest before it. */
+export type HyperpatchOperation = { id?: number } & (
+  | { op: "cells"; cells: { coefficients: CellCoefficient[] }[] }
+  | { op: "move"; cell: number; at: Triple; by: Triple; reach?: Reach }
+  | { op: "continuity"; cell: number; face: FaceName; corner?: Triple; shape?: MarkName; material?: MarkName }
+  | { op: "mix"; mix: number[]; cells: number[] }
+  | { op: "mix"; mix: number[]; cell: number; corner: Triple; within?: number[] }
+  | { op: "mix"; mix: number[]; cell: number; at: Triple }
+  | { op: "slope"; cell: number; corner: Triple; rule: "flat" | "natural" }
+  | { op: "delete"; cells: number[] }
+  | { op: "copy"; cells: number[]; by: Triple }
+  | { op: "mirror"; cells: number[]; normal: Triple; offset?: number; keep?: boolean }
+  | { op: "reorient"; cells: number[] }
+  | { op: "extrude"; faces: { cell: number; face: FaceName }[]; by: number; start?: "C1" | "free"; mix?: number[] }
+  | { op: "subdivide"; cell: number; axis: "u" | "v" | "w"; at?: number }
+);
+
+/** What a move takes along: what has to follow, or equal copies in other cells alone. */
+export type Reach = "block" | "single";
+
+/** What came of an operation. */
+export interface OperationResult {
+  id: number;
+  op: HyperpatchOperation["op"];
+  /** False where it does not apply to the body as it is then; the body goes on as if it were not there. */
+  applied: boolean;
+  /** Why it does not apply. */
+  reason: string | null;
+  /** Cells that it changed, made and took away. */
+  touched: number[];
+  made: number[];
+  removed: number[];
 }
 
 export type DocumentInput = CurvesDocument | SpaceDocument | string;
@@ -599,7 +642,7 @@ export interface JobOptions extends MatchOptions {
   solid?: SolidOptions;
   solidFile?: SolidFileOptions;
   /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
-  hyperpatch?: { question: keyof Hyperpatch; rest?: object };
+  hyperpatch?: { question: Exclude<keyof Hyperpatch, "operations">; rest?: object };
   greedy?: boolean;
 }
 
@@ -770,6 +813,12 @@ export interface CellGrid {
 /** A body of hyperpatches. All methods throw `DirectrixError`. */
 export interface Hyperpatch {
   readonly cells: CellSummary[];
+  /** What came of each operation, in their order. */
+  readonly operations: OperationResult[];
+  /** What would move with a coefficient, itself among them, each with its share of the displacement. */
+  moves(cell: number, at: Triple, reach?: Reach): { cell: number; at: Triple; share: number }[];
+  /** The body as a document with one operation, which writes all cells out; their numbers begin anew. */
+  cellsDocument(): HyperpatchDocument;
   sample(cell: number, uvw: Triple): { position: Triple; mix: number[] };
   /** With `global: false` only the certificates: a cell may then be `locally-valid`. Default true. */
   verdicts(options?: { global?: boolean }): CellVerdict[];
@@ -793,8 +842,8 @@ export interface Hyperpatch {
 }
 
 /** A body whose questions a worker answers. */
-export type RemoteHyperpatch = { readonly cells: CellSummary[] } & {
-  [K in Exclude<keyof Hyperpatch, "cells">]: Asynchronous<Hyperpatch[K]>;
+export type RemoteHyperpatch = Pick<Hyperpatch, "cells" | "operations"> & {
+  [K in Exclude<keyof Hyperpatch, "cells" | "operations">]: Asynchronous<Hyperpatch[K]>;
 };
 
 /** Triangles of one part of a solid. */

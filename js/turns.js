@@ -25,7 +25,7 @@ const GREEDY = new Set(["steps", "sets"]);
 export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
   const [first, ...rest] = args;
   if (UNSOLVED.has(name)) return { value: /** @type {any} */ (dx)[name](...args), spent: 0 };
-  const text = toText(first);
+  const text = name === "hyperpatch" ? first : toText(first);
   const job = dx.job(text, goal(name, rest[0]));
   let spent = 0;
   const step = () => {

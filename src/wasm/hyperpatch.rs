@@ -6,9 +6,11 @@ use super::clock;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
+use super::reading::Reading;
+use super::results::to_value;
 use crate::document::{
-    self, Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, DocumentError, HyperpatchModel, KnownBody,
-    Painted, Parts, Sample, SharedParts, Stretch, Summary,
+    Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, DocumentError, DocumentKey, HyperpatchModel,
+    KnownBody, Painted, Parts, Replay, Sample, SharedParts, Stage, Stretch, Summary,
 };
 use crate::hyperpatch::composite::{CellId, Contact, FaceContinuity, Matching, Relation};
 use crate::hyperpatch::validity::{Report, Witness};
@@ -22,67 +24,132 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 /// An answer under way.
 #[wasm_bindgen]
 pub struct Asking {
-    /// The text of a document that is still to be read, with the name of the question and what belongs to it.
-    unread: Option<[String; 3]>,
-    job: Option<BodyJob>,
+    key: DocumentKey,
+    /// The name of the question and what belongs to it.
+    question: [String; 2],
+    state: State,
     known: Option<Rc<KnownBody>>,
     answer: Option<Answer>,
 }
 
+enum State {
+    /// The operations of a document are read.
+    Reading(Reading),
+    /// They are carried out.
+    Replaying(Box<Replay>),
+    /// The body is there.
+    Known,
+    Answering(Box<BodyJob>),
+    Done,
+}
+
 #[wasm_bindgen]
 impl Engine {
-    /// A question about a hyperpatch document by its name, to be answered in steps; what belongs to it comes as JSON.
-    pub fn hyperpatch(&mut self, text: &str, name: &str, rest: &str) -> Asking {
-        let unread = Some([text, name, rest].map(str::to_owned));
-        Asking { unread, job: None, known: None, answer: None }
+    /// A question about a hyperpatch document by its name, to be answered in steps; what belongs to it comes as JSON. The document comes as
+    /// the text of all but its operations with a key for each of these, the same for the same operation alone; or, with `is_apart` false, as one
+    /// text with all of it. Operations that are [`Asking::missing`] have to be supplied.
+    pub fn hyperpatch(&mut self, head: &str, keys: &[u32], is_apart: bool, name: &str, rest: &str) -> Asking {
+        let key = DocumentKey { head: head.to_owned(), operations: keys.to_vec() };
+        let known = self.bodies.find(&key);
+        let state = match known {
+            Some(_) => State::Known,
+            None => State::Reading(Reading::new(&self.bodies, &key, is_apart)),
+        };
+        Asking { key, question: [name, rest].map(str::to_owned), state, known, answer: None }
     }
 
-    /// Goes on with an answer for about `budget` milliseconds; returns the share done, 1 when it is there. Reading a document takes a turn
-    /// of its own.
+    /// Goes on with an answer for about `budget` milliseconds; returns the share done, 1 when it is there.
     #[wasm_bindgen(js_name = answer)]
     pub fn advance_answer(&mut self, asking: &mut Asking, budget: f64) -> Result<f64, JsValue> {
         let clock = clock();
         let start = clock.now();
         let mut may_go_on = || clock.now() - start < budget;
-        if let Some([text, name, rest]) = asking.unread.take() {
-            let known = body(&mut self.bodies, &text).map_err(|error| to_js(&error))?;
-            let ask = parse(&rest)
-                .and_then(|rest| BodyAsk::read(&name, &rest, known.model()))
-                .map_err(|e| to_js(&e))?;
-            asking.job = Some(BodyJob::new(Rc::clone(&known), ask));
-            asking.known = Some(known);
-            if !may_go_on() {
-                return Ok(0.0);
+        loop {
+            let share = asking.advance(&mut self.bodies, &mut may_go_on).map_err(|error| to_js(&error))?;
+            if share == 1.0 || !may_go_on() {
+                return Ok(share);
             }
         }
-        let Some(job) = &mut asking.job else { return Ok(1.0) };
-        asking.answer = job.step(&mut may_go_on);
-        if asking.answer.is_none() {
-            return Ok(job.progress());
-        }
-        asking.job = None;
-        Ok(1.0)
     }
 }
 
-/// The body of a document, read unless it is known.
-fn body(memory: &mut BodyMemory, text: &str) -> Result<Rc<KnownBody>, DocumentError> {
-    if let Some(known) = memory.find(text) {
-        return Ok(known);
+impl Asking {
+    /// Goes on with the present part of the work; returns the share done.
+    fn advance(
+        &mut self,
+        memory: &mut BodyMemory,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<f64, DocumentError> {
+        match std::mem::replace(&mut self.state, State::Done) {
+            State::Reading(mut reading) => {
+                let Some(document) = reading.step(may_go_on)? else {
+                    let share = reading.progress() / 4.0;
+                    self.state = State::Reading(reading);
+                    return Ok(share);
+                };
+                self.state = State::Replaying(Box::new(Replay::new(document, memory.models())?));
+                Ok(0.25)
+            }
+            State::Replaying(mut replay) => {
+                if replay.step(may_go_on) {
+                    self.known = Some(memory.keep(self.key.clone(), replay.finish()));
+                    self.state = State::Known;
+                    return Ok(0.5);
+                }
+                let share = 0.25 + replay.progress() / 4.0;
+                self.state = State::Replaying(replay);
+                Ok(share)
+            }
+            State::Known => {
+                let Some(known) = &self.known else { return Ok(1.0) };
+                let [name, rest] = &self.question;
+                let ask = BodyAsk::read(name, &parse(rest)?, known.model())?;
+                self.state = State::Answering(Box::new(BodyJob::new(Rc::clone(known), ask)));
+                Ok(0.5)
+            }
+            State::Answering(mut job) => {
+                self.answer = job.step(may_go_on);
+                if self.answer.is_some() {
+                    return Ok(1.0);
+                }
+                let share = job.progress();
+                self.state = State::Answering(job);
+                Ok(share)
+            }
+            State::Done => Ok(1.0),
+        }
     }
-    document::check_length(text)?;
-    let model = HyperpatchModel::new(document::read_hyperpatch(&parse(text)?)?)?;
-    Ok(memory.keep(text, model))
 }
 
 #[wasm_bindgen]
 impl Asking {
+    /// Places in the list of the operations that are not known and have to be supplied.
+    pub fn missing(&self) -> Vec<u32> {
+        if let State::Reading(reading) = &self.state { reading.missing() } else { Vec::new() }
+    }
+
+    /// Supplies an operation that is missing as JSON. The cells of one that has some come apart, and their number beside them: where it passes the
+    /// limit they may be left out.
+    pub fn supply(&mut self, place: usize, text: &str, cells: Option<Array>, count: usize) {
+        if let State::Reading(reading) = &mut self.state {
+            reading.supply(place, text, cells, count);
+        }
+    }
+
     /// The answer, which is there when [`Engine::advance_answer`] has returned 1.
     pub fn result(self) -> Result<JsValue, JsValue> {
         let (Some(answer), Some(known)) = (&self.answer, &self.known) else { return Ok(JsValue::UNDEFINED) };
         let bag = Bag::new();
         match answer {
-            Answer::Cells(rows) => cells(&bag, rows)?,
+            Answer::Cells(rows) => {
+                cells(&bag, rows)?;
+                operations(&bag, known.model().stages())?;
+            }
+            Answer::Moves(list) => {
+                let rows = list.iter().flat_map(|(id, at, share)| [f64::from(id.0), *at as f64, *share]);
+                bag.doubles("moves", &rows.collect::<Vec<_>>())?;
+            }
+            Answer::CellsDocument => written(&bag, known.model())?,
             Answer::Sample(sample) => return found(sample),
             Answer::Probe(sample) => return sample.as_ref().map_or(Ok(JsValue::NULL), found),
             Answer::Verdicts(reports) => verdicts(&bag, known, reports)?,
@@ -154,6 +221,39 @@ fn cells(bag: &Bag, rows: &[CellRow]) -> Result<(), JsValue> {
     bag.doubles("corners", &corners)?;
     bag.doubles("margins", &rows.iter().map(|row| row.margin).collect::<Vec<_>>())?;
     bag.doubles("volumes", &rows.iter().map(|row| row.volume).collect::<Vec<_>>())
+}
+
+/// Of each operation: its number, its place in the list of names, whether it applies, and how many cells it touched, made and removed; these
+/// cells one after the other; and why those that do not apply do not.
+fn operations(bag: &Bag, stages: &[Rc<Stage>]) -> Result<(), JsValue> {
+    let (mut rows, mut ids, reasons) = (Vec::with_capacity(6 * stages.len()), Vec::new(), Array::new());
+    for row in stages.iter().map(|stage| stage.row()) {
+        let lists = [&row.touched, &row.made, &row.removed];
+        rows.extend([row.id, row.op as u32, u32::from(row.reason.is_none())]);
+        rows.extend(lists.map(|list| list.len() as u32));
+        ids.extend(lists.into_iter().flatten().map(|id| id.0));
+        if let Some(reason) = &row.reason {
+            reasons.push(&reason.into());
+        }
+    }
+    bag.counts("operations", &rows)?;
+    bag.counts("operationCells", &ids)?;
+    bag.set("reasons", reasons.into())
+}
+
+/// Title, unit and materials, and positions and fractions of all coefficients.
+fn written(bag: &Bag, model: &HyperpatchModel) -> Result<(), JsValue> {
+    let head = &model.document().head;
+    bag.set("title", head.title.as_str().into())?;
+    bag.set("unit", head.unit.as_str().into())?;
+    bag.set("materials", to_value(&head.materials)?)?;
+    let cells = model.body().cells();
+    let points = cells.iter().flat_map(|(_, cell)| cell.net().0).flat_map(|point| point.to_array());
+    bag.doubles("positions", &points.collect::<Vec<_>>())?;
+    let mixes = cells.iter().flat_map(|(_, cell)| {
+        (0..64).flat_map(move |at| cell.fractions().iter().map(move |fractions| fractions[at]))
+    });
+    bag.doubles("mixes", &mixes.collect::<Vec<_>>())
 }
 
 fn found(sample: &Sample) -> Result<JsValue, JsValue> {

@@ -11,6 +11,10 @@ use glam::DVec3;
 pub enum Answer {
     /// The cells in their order.
     Cells(Vec<CellRow>),
+    /// What would move: cells, places in their lists of 64, and shares of the displacement.
+    Moves(Vec<(CellId, usize, f64)>),
+    /// The cells as they would be written out.
+    CellsDocument,
     /// What a cell holds at parameters.
     Sample(Sample),
     /// What is known of each cell, in their order.

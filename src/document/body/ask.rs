@@ -1,9 +1,11 @@
 //! Questions about a body, as they arrive in JSON.
 
+use super::super::hyperpatch::names;
 use super::super::node::Node;
 use super::super::{Code, DocumentError, HyperpatchModel, Json};
 use crate::hyperpatch::composite::CellId;
-use crate::hyperpatch::{FINEST_SECTION, LARGEST_COORDINATE, LARGEST_GRID, Plane};
+use crate::hyperpatch::operation::Reach;
+use crate::hyperpatch::{FINEST_SECTION, LARGEST_COORDINATE, LARGEST_GRID, Plane, flat};
 use crate::solid::Format;
 use glam::DVec3;
 
@@ -27,6 +29,17 @@ pub enum BodyFormat {
 pub enum BodyAsk {
     /// Every cell with its corners, its margin and its volume.
     Cells,
+    /// What would move with a coefficient.
+    Moves {
+        /// The cell.
+        cell: CellId,
+        /// Place of the coefficient in the list of 64.
+        at: usize,
+        /// How far the move reaches.
+        reach: Reach,
+    },
+    /// The body as a document of one operation.
+    CellsDocument,
     /// Position and composition at parameters of a cell.
     Sample {
         /// The cell.
@@ -93,7 +106,13 @@ impl BodyAsk {
             node.map(|node| tolerance(&node)).transpose()
         };
         Ok(match name {
-            "cells" => Self::Cells,
+            "cells" | "body" => Self::Cells,
+            "moves" => {
+                let [i, j, k] = names::coefficient(&root.need("at")?)?;
+                let reach = root.get("reach")?.map_or(Ok(Reach::Block), |node| names::reach(&node))?;
+                Self::Moves { cell: cell(&root, model)?, at: flat(i, j, k), reach }
+            }
+            "cellsDocument" => Self::CellsDocument,
             "sample" => Self::Sample { cell: cell(&root, model)?, at: triple(&root.need("at")?, 0.0, 1.0)? },
             "verdicts" => {
                 known(&["global"])?;

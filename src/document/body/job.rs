@@ -1,13 +1,16 @@
 //! The job that answers a question about a body.
 
-use super::known::Judged;
+use super::known::{Difference, Judged, Old, Relations};
 use super::paint::Painter;
 use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
-use crate::hyperpatch::composite::{CellId, Pairs, Probe, Sharing, Verdicts};
+use crate::hyperpatch::composite::{CellId, Pairs, Probe, Relation, Sharing, Verdicts};
+use crate::hyperpatch::operation::moves;
 use crate::hyperpatch::validity::Report;
-use crate::hyperpatch::{Grid, Jacobian, Sectioning, Tessellation, VtkJob};
+use crate::hyperpatch::{Grid, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
 use crate::solid::{FileJob, Labels, Mesh, Skin};
+use std::cell::OnceCell;
+use std::collections::HashSet;
 use std::rc::Rc;
 
 /// Chord tolerance over the size of the body where none is asked for.
@@ -29,8 +32,10 @@ enum Work {
     /// It is to be decided what comes next.
     Planning,
     Judging(Box<Verdicts>, bool),
-    Joining(Box<Sharing>, usize),
-    Pairing(Box<Pairs>),
+    /// The cells that are still to be joined with the others come last first.
+    Joining(Box<Sharing>, Vec<CellId>),
+    /// With what is known of the other pairs.
+    Pairing(Box<Pairs>, Relations),
     Listing(Vec<CellRow>),
     Integrating(usize, f64, Vec<f64>),
     Cutting(Box<Sectioning<Held>>),
@@ -77,8 +82,9 @@ impl BodyJob {
         let share = match &self.work {
             Work::Planning => 0.0,
             Work::Judging(job, _) => job.progress(),
-            Work::Joining(_, count) | Work::Integrating(count, ..) => *count as f64 / cells,
-            Work::Pairing(job) => job.progress(),
+            Work::Joining(_, left) => 1.0 - left.len() as f64 / cells,
+            Work::Integrating(count, ..) => *count as f64 / cells,
+            Work::Pairing(job, _) => job.progress(),
             Work::Listing(rows) => rows.len() as f64 / cells,
             Work::Cutting(_) | Work::Meshing(_) => 0.3,
             Work::Painting(job, _) => 0.5 + 0.4 * job.progress(),
@@ -102,33 +108,41 @@ impl BodyJob {
                 for (id, report) in job.reports() {
                     if let Some(cell) = body.cell(*id) {
                         let is_final = is_global || !report.is_open();
-                        judged.insert(*id, Judged { net: cell.net().clone(), report: *report, is_final });
+                        let (volume, least) = (OnceCell::new(), OnceCell::new());
+                        let cell = cell.clone();
+                        judged.insert(*id, Judged { cell, report: *report, is_final, volume, least });
                     }
                 }
                 Work::Planning
             }
-            Work::Joining(mut sharing, mut next) => {
-                while let Some((id, cell)) = body.cells().get(next) {
-                    sharing.add(*id, cell.net());
-                    next += 1;
+            Work::Joining(mut sharing, mut left) => {
+                while let Some(id) = left.pop() {
+                    sharing.remove(id);
+                    if let Some(cell) = body.cell(id) {
+                        sharing.add(id, cell.net());
+                    }
                     if !may_go_on() {
-                        return Work::Joining(sharing, next);
+                        return Work::Joining(sharing, left);
                     }
                 }
                 let _ = self.known.sharing.set(Rc::new(*sharing));
+                self.known.old_sharing.take();
                 Work::Planning
             }
-            Work::Pairing(mut job) => {
+            Work::Pairing(mut job, mut known) => {
                 if !job.step(may_go_on) {
-                    return Work::Pairing(job);
+                    return Work::Pairing(job, known);
                 }
-                let _ = self.known.relations.set(job.found().to_vec());
+                known.extend_from_slice(job.found());
+                known.sort_unstable_by_key(|(cells, _)| *cells);
+                let _ = self.known.relations.set(Rc::new(known));
+                self.known.old_relations.take();
                 Work::Planning
             }
             Work::Listing(mut rows) => {
                 let reports = self.reports();
                 while let Some((cell, made)) = body.cells().get(rows.len()) {
-                    let volume = Jacobian::new(made.net()).volume();
+                    let volume = self.known.volume_of(*cell, made);
                     let margin = reports.get(rows.len()).map_or(-1.0, |(_, report)| report.margin);
                     rows.push(CellRow { cell: *cell, corners: made.net().corners(), margin, volume });
                     if !may_go_on() {
@@ -221,6 +235,7 @@ impl BodyJob {
             }
         }
         let is_summary = matches!(ask, BodyAsk::Summary);
+        let is_paired = is_summary || matches!(ask, BodyAsk::Relations);
         let is_joined = matches!(
             ask,
             BodyAsk::Surface { .. }
@@ -228,11 +243,11 @@ impl BodyJob {
                 | BodyAsk::Continuity
                 | BodyAsk::Sharing
         );
-        if (is_joined || is_summary) && known.sharing.get().is_none() {
-            return Work::Joining(Box::new(Sharing::start(body)), 0);
+        if (is_joined || is_paired) && known.sharing.get().is_none() {
+            return self.joining();
         }
-        if (matches!(ask, BodyAsk::Relations) || is_summary) && known.relations.get().is_none() {
-            return Work::Pairing(Box::new(Pairs::new(body)));
+        if is_paired && known.relations.get().is_none() {
+            return self.pairing();
         }
         match ask {
             BodyAsk::Cells => Work::Listing(Vec::with_capacity(body.cells().len())),
@@ -249,6 +264,38 @@ impl BodyJob {
             }
             _ => Work::Done(self.answer()),
         }
+    }
+
+    /// The job that finds what cells share; of most it is known when little has changed.
+    fn joining(&self) -> Work {
+        let body = self.known.model().body();
+        let sharing = Sharing::start(body);
+        if let Some(Old { body: old, found }) = &*self.known.old_sharing.borrow()
+            && found.tolerance() == sharing.tolerance()
+        {
+            let mut difference = Difference::new(body, old);
+            if difference.changed.len() + difference.gone.len() <= body.cells().len() / 2 {
+                difference.gone.append(&mut difference.changed);
+                return Work::Joining(Box::new(Sharing::clone(found)), difference.gone);
+            }
+        }
+        Work::Joining(Box::new(sharing), body.cells().iter().rev().map(|(id, _)| *id).collect())
+    }
+
+    /// The job that finds the relations of all pairs; those of cells that have not changed are known.
+    fn pairing(&self) -> Work {
+        let body = self.known.model().body();
+        let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
+        let mut known = Relations::new();
+        let mut chosen: HashSet<CellId> = body.cells().iter().map(|(id, _)| *id).collect();
+        if let Some(Old { body: old, found }) = &*self.known.old_relations.borrow() {
+            let difference = Difference::new(body, old);
+            chosen = difference.changed.into_iter().collect();
+            let is_new: HashSet<CellId> = difference.gone.iter().chain(&chosen).copied().collect();
+            let stays = |pair: &&([CellId; 2], Relation)| !pair.0.iter().any(|id| is_new.contains(id));
+            known.extend(found.iter().filter(stays).cloned());
+        }
+        Work::Pairing(Box::new(Pairs::with(body, Rc::clone(sharing), chosen)), known)
     }
 
     /// Whether the question rests on verdicts, and on all checks.
@@ -272,6 +319,8 @@ impl BodyJob {
         let known = &self.known;
         let body = known.model().body();
         Some(match self.ask {
+            BodyAsk::Moves { cell, at, reach } => Answer::Moves(moves(body, cell, at, reach).ok()?),
+            BodyAsk::CellsDocument => Answer::CellsDocument,
             BodyAsk::Sample { cell, at } => Answer::Sample(Sample::new(body, cell, at)?),
             BodyAsk::Verdicts { .. } => Answer::Verdicts(self.reports()),
             BodyAsk::Summary => {
@@ -282,7 +331,7 @@ impl BodyJob {
                 let probe = known.probe.get_or_init(|| Probe::new(known.held()));
                 Answer::Probe(probe.place(point).and_then(|place| Sample::new(body, place.cell, place.at)))
             }
-            BodyAsk::Relations => Answer::Relations(known.relations.get()?.clone()),
+            BodyAsk::Relations => Answer::Relations(known.relations.get()?.to_vec()),
             BodyAsk::Continuity => {
                 let sharing = known.sharing.get()?;
                 Answer::Continuity(sharing.continuity(body), sharing.contacts(body))
@@ -308,8 +357,8 @@ impl BodyJob {
         let model = self.known.model();
         let document = model.document();
         Labels {
-            title: document.title.clone(),
-            unit: document.unit.clone(),
+            title: document.head.title.clone(),
+            unit: document.head.unit.clone(),
             materials: model.materials().iter().map(|material| material.name.clone()).collect(),
         }
     }
@@ -318,7 +367,7 @@ impl BodyJob {
 #[cfg(test)]
 mod tests {
     use super::super::super::{Json, read_hyperpatch};
-    use super::super::BodyMemory;
+    use super::super::{BodyMemory, DocumentKey};
     use super::*;
     use crate::document::HyperpatchModel;
     use crate::hyperpatch::validity::Verdict;
@@ -346,9 +395,10 @@ mod tests {
     }
 
     fn known(memory: &mut BodyMemory, text: &str) -> Rc<KnownBody> {
-        memory.find(text).unwrap_or_else(|| {
+        let key = DocumentKey { head: text.to_owned(), operations: Vec::new() };
+        memory.find(&key).unwrap_or_else(|| {
             let document = read_hyperpatch(&Json::parse(text).unwrap()).unwrap();
-            memory.keep(text, HyperpatchModel::new(document).unwrap())
+            memory.keep(key, HyperpatchModel::new(document).unwrap())
         })
     }
 

@@ -7,12 +7,14 @@ mod answer;
 mod ask;
 mod job;
 mod known;
+mod memory;
 mod paint;
 mod summary;
 
 pub use answer::{Answer, CellRow, Parts, Sample, SharedParts};
 pub use ask::{BodyAsk, BodyFormat};
 pub use job::BodyJob;
-pub use known::{BodyMemory, Held, KnownBody};
+pub use known::{Held, KnownBody};
+pub use memory::{BodyMemory, DocumentKey};
 pub use paint::{Boundary, Painted, Stretch};
 pub use summary::Summary;

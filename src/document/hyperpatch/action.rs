@@ -1,0 +1,276 @@
+//! An operation as it is written.
+
+use super::super::node::Node;
+use super::super::{Code, DocumentError, Json};
+use super::cells::CellSpec;
+use super::construct::{self, ExtrusionStart, FaceSpec};
+use super::edit::{self, MarkLevel};
+use super::material::{self, MixTarget, SlopeRule};
+use super::names::{self, LARGEST_ID};
+use crate::hyperpatch::composite::{CellId, MOST_CELLS};
+use crate::hyperpatch::operation::Reach;
+use crate::hyperpatch::{Axis, Corner, Face};
+use crate::material::Composition;
+use serde::{Serialize, Serializer};
+
+/// What an operation does. Whether it applies is for the body to say when its turn comes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "op", rename_all = "kebab-case")]
+pub enum Action {
+    /// Adds cells that are written out.
+    Cells {
+        /// The cells.
+        cells: Vec<CellSpec>,
+    },
+    /// Moves a coefficient and what follows it.
+    Move {
+        /// The cell.
+        #[serde(serialize_with = "names::write_cell")]
+        cell: CellId,
+        /// Indices of the coefficient.
+        at: [usize; 3],
+        /// By how much.
+        by: [f64; 3],
+        /// What follows it.
+        #[serde(serialize_with = "names::write_reach")]
+        reach: Reach,
+    },
+    /// Marks how cells are to continue each other across a face, and brings it about.
+    Continuity {
+        /// The cell.
+        #[serde(serialize_with = "names::write_cell")]
+        cell: CellId,
+        /// Its face.
+        #[serde(serialize_with = "names::write_face")]
+        face: Face,
+        /// The corner; without one all four of the face.
+        #[serde(skip_serializing_if = "Option::is_none", serialize_with = "names::write_some_corner")]
+        corner: Option<Corner>,
+        /// In shape; without it as before.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        shape: Option<MarkLevel>,
+        /// In material; without it as before.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        material: Option<MarkLevel>,
+    },
+    /// Gives coefficients a mix.
+    Mix {
+        /// The mix.
+        #[serde(serialize_with = "write_mix")]
+        mix: Composition,
+        /// The coefficients.
+        #[serde(flatten)]
+        target: MixTarget,
+    },
+    /// Makes the material go on at a corner.
+    Slope {
+        /// A cell with the corner.
+        #[serde(serialize_with = "names::write_cell")]
+        cell: CellId,
+        /// The corner.
+        #[serde(serialize_with = "names::write_corner")]
+        corner: Corner,
+        /// How.
+        rule: SlopeRule,
+    },
+    /// Takes cells out.
+    Delete {
+        /// The cells.
+        #[serde(serialize_with = "names::write_cells")]
+        cells: Vec<CellId>,
+    },
+    /// Adds copies of cells in another place.
+    Copy {
+        /// The cells.
+        #[serde(serialize_with = "names::write_cells")]
+        cells: Vec<CellId>,
+        /// How far away.
+        by: [f64; 3],
+    },
+    /// Adds mirror images of cells.
+    Mirror {
+        /// The cells.
+        #[serde(serialize_with = "names::write_cells")]
+        cells: Vec<CellId>,
+        /// Normal of the plane, of any length above 0.
+        normal: [f64; 3],
+        /// Product of the points of the plane with the normal.
+        offset: f64,
+        /// Whether the cells themselves stay.
+        keep: bool,
+    },
+    /// Turns mirrored cells the right way round.
+    Reorient {
+        /// The cells.
+        #[serde(serialize_with = "names::write_cells")]
+        cells: Vec<CellId>,
+    },
+    /// Adds a cell on each of some faces.
+    Extrude {
+        /// The faces.
+        faces: Vec<FaceSpec>,
+        /// Length along the normals.
+        by: f64,
+        /// How it begins.
+        start: ExtrusionStart,
+        /// The mix of the new cells; without it that of the faces goes on.
+        #[serde(skip_serializing_if = "Option::is_none", serialize_with = "write_some_mix")]
+        mix: Option<Composition>,
+    },
+    /// Divides a cell, and every cell of the sheet across it.
+    Subdivide {
+        /// A cell of the sheet.
+        #[serde(serialize_with = "names::write_cell")]
+        cell: CellId,
+        /// The axis that is divided.
+        #[serde(serialize_with = "names::write_axis")]
+        axis: Axis,
+        /// Where.
+        at: f64,
+    },
+}
+
+/// An operation with its number, if it has one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Operation {
+    /// The number; without it one more than the largest before it.
+    pub id: Option<u32>,
+    /// What it does.
+    pub action: Action,
+    /// Number of materials with which it was read.
+    pub materials: usize,
+}
+
+impl Action {
+    /// The operations by their names.
+    pub const NAMES: [&str; 11] = [
+        "cells",
+        "move",
+        "continuity",
+        "mix",
+        "slope",
+        "delete",
+        "copy",
+        "mirror",
+        "reorient",
+        "extrude",
+        "subdivide",
+    ];
+
+    /// Place of the operation in the list of names.
+    #[must_use]
+    pub fn kind(&self) -> usize {
+        match self {
+            Self::Cells { .. } => 0,
+            Self::Move { .. } => 1,
+            Self::Continuity { .. } => 2,
+            Self::Mix { .. } => 3,
+            Self::Slope { .. } => 4,
+            Self::Delete { .. } => 5,
+            Self::Copy { .. } => 6,
+            Self::Mirror { .. } => 7,
+            Self::Reorient { .. } => 8,
+            Self::Extrude { .. } => 9,
+            Self::Subdivide { .. } => 10,
+        }
+    }
+
+    /// Number of cells that are written out in it.
+    #[must_use]
+    pub fn written(&self) -> usize {
+        if let Self::Cells { cells } = self { cells.len() } else { 0 }
+    }
+}
+
+impl Operation {
+    /// Reads an operation of a document with so many materials.
+    pub(super) fn read(node: &Node<'_>, materials: usize) -> Result<Self, DocumentError> {
+        let name = node.need("op")?.choice(&Action::NAMES)?;
+        let action = match name {
+            0 => {
+                node.only(&["op", "id", "cells"])?;
+                let list = node.need("cells")?;
+                let items = list.items()?;
+                list.check_count(items.len(), " cells", 0..=MOST_CELLS)?;
+                let cells: Result<_, _> = items.iter().map(|item| CellSpec::read(item, materials)).collect();
+                Action::Cells { cells: cells? }
+            }
+            1 => edit::moved(node)?,
+            2 => edit::continued(node)?,
+            3 => material::mixed(node, materials)?,
+            4 => material::sloped(node)?,
+            5 => construct::deleted(node)?,
+            6 => construct::copied(node)?,
+            7 => construct::mirrored(node)?,
+            8 => construct::reoriented(node)?,
+            9 => construct::extruded(node, materials)?,
+            _ => construct::subdivided(node)?,
+        };
+        Ok(Self { id: number(node)?, action, materials })
+    }
+}
+
+/// The number of an operation.
+fn number(node: &Node<'_>) -> Result<Option<u32>, DocumentError> {
+    let Some(node) = node.get("id")? else { return Ok(None) };
+    let id = node.count()?;
+    if id > LARGEST_ID {
+        let message = format!("{id} was found; expected a whole number from 0 to {LARGEST_ID}");
+        return Err(node.error(Code::Range, message));
+    }
+    Ok(Some(id as u32))
+}
+
+/// An operation that is read bit by bit: its cells may come one after the other.
+#[derive(Debug)]
+pub struct OperationReading {
+    /// Place in the list of operations.
+    place: usize,
+    operation: Operation,
+}
+
+impl OperationReading {
+    /// Reads an operation at a place of the list. With `apart` it is an operation `cells` without these, which come by
+    /// [`OperationReading::add`].
+    ///
+    /// # Errors
+    /// The first thing that is wrong, with its path from the document on.
+    pub fn new(json: &Json, place: usize, materials: usize, is_apart: bool) -> Result<Self, DocumentError> {
+        let name = format!("operations[{place}]");
+        let node = Node::root(json, &name);
+        if !is_apart {
+            return Ok(Self { place, operation: Operation::read(&node, materials)? });
+        }
+        node.need("op")?.choice(&Action::NAMES[..1])?;
+        node.only(&["op", "id"])?;
+        let operation =
+            Operation { id: number(&node)?, action: Action::Cells { cells: Vec::new() }, materials };
+        Ok(Self { place, operation })
+    }
+
+    /// Reads the next cell.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, with its path from the document on.
+    pub fn add(&mut self, json: &Json) -> Result<(), DocumentError> {
+        if let Action::Cells { cells } = &mut self.operation.action {
+            let name = format!("operations[{}].cells[{}]", self.place, cells.len());
+            cells.push(CellSpec::read(&Node::root(json, &name), self.operation.materials)?);
+        }
+        Ok(())
+    }
+
+    /// The operation.
+    #[must_use]
+    pub fn finish(self) -> Operation {
+        self.operation
+    }
+}
+
+fn write_mix<S: Serializer>(mix: &Composition, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(mix.fractions())
+}
+
+fn write_some_mix<S: Serializer>(mix: &Option<Composition>, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(mix.iter().flat_map(|mix| mix.fractions()))
+}

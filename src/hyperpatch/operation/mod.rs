@@ -1,0 +1,27 @@
+//! Operations on bodies: edits of shape and material that keep the continuity that is wanted, and ways to add cells.
+//!
+//! Every operation either does all that it says and tells which cells it touched, made and removed, or leaves the body
+//! as it was and says why. Whether the cells are sound afterwards is for [`validity`](super::validity) to say, so that
+//! what is wrong can be shown rather than refused.
+//!
+//! Every coefficient belongs to the block of one corner, and no edit at a corner touches the block of another one
+//! (section 3.5 of the paper, Figs. 7 and 8).
+
+mod change;
+mod copy;
+mod delete;
+mod draft;
+mod mix;
+mod moving;
+mod nearest;
+mod star;
+mod subdivide;
+#[cfg(test)]
+mod test_bodies;
+
+pub use change::{Change, OperationError};
+pub use copy::{copy, mirror, reorient};
+pub use delete::delete;
+pub use mix::{mix_cells, mix_coefficient, mix_corner};
+pub use moving::{Reach, move_coefficient, moves};
+pub use subdivide::subdivide;
