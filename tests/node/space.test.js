@@ -8,9 +8,10 @@ import { moveOf } from "../../www/src/space/keys.js";
 import { segmentsOf, thinned } from "../../www/src/space/lines.js";
 import { firstHit } from "../../www/src/space/pick.js";
 import { cutOf, extentAlong } from "../../www/src/space/plane.js";
+import { sectionPlane } from "../../www/src/space/section.js";
 import { cornersOf, cross, dot, subtract } from "../../www/src/space/vector.js";
 import { readingAt } from "../../www/src/solid/reading.js";
-import { heightAt, levelsOf, rowsOf, sectionPlane, shareAt, stagesAmong, upToPlane } from "../../www/src/solid/state.js";
+import { heightAt, levelsOf, rowsOf, shareAt, stagesAmong, upToPlane } from "../../www/src/solid/state.js";
 import { loop } from "./curves.js";
 
 /** @import { Camera, Frame } from "../../www/src/space/camera.js" */

@@ -7,13 +7,13 @@
 import "../../styles/export.css";
 import "../../styles/push.css";
 import { words as ofCells } from "../cells/words.js";
-import { checkBox, segment } from "../controls/choices.js";
-import { numberField } from "../controls/number-field.js";
+import { segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { h, write } from "../dom.js";
 import { copyPng, copyText } from "../files/clipboard.js";
 import { fileOf, nameOf, textOf } from "../files/contents.js";
 import { download } from "../files/download.js";
+import { pictureRows } from "../files/picture-rows.js";
 import { LARGEST, scaledSize } from "../files/pictures.js";
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
@@ -23,8 +23,6 @@ import { isBody } from "../hyperpatch/kind.js";
 
 const words = strings.exports;
 
-/** Smallest side of a picture in pixels. */
-const SMALLEST = 16;
 const SCALES = /** @type {const} */ (["1", "2", "4"]);
 /** Exports with choices of their own. */
 const SECTIONS = {
@@ -65,30 +63,7 @@ export function showExport(app) {
     { label: words.scale, name: "export-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) },
     (value) => change(scaledSize(app.ui.value.size, Number(value))),
   );
-  const side = (/** @type {"width" | "height"} */ name) =>
-    numberField(
-      {
-        label: words[name],
-        name: `export-${name}`,
-        prefix: words[name].charAt(0),
-        min: SMALLEST,
-        max: LARGEST,
-        step: 1,
-        decimals: 0,
-        whole: true,
-      },
-      { change: (value) => change({ [name]: value }) },
-    );
-  const [width, height] = [side("width"), side("height")];
-  const theme = segment(
-    {
-      label: words.theme,
-      name: "export-theme",
-      choices: /** @type {const} */ (["light", "dark"]).map((value) => ({ value, text: words.themes[value] })),
-    },
-    (value) => change({ theme: value }),
-  );
-  const transparent = checkBox({ name: "export-transparent", text: [words.transparent] }, (on) => change({ transparent: on }));
+  const picture = pictureRows({ name: "export", words, largest: LARGEST }, change);
   const table = segment(
     {
       label: words.table,
@@ -111,9 +86,9 @@ export function showExport(app) {
 
   const rows = {
     scale: row(words.scale, scale),
-    size: row(words.size, width, height),
-    theme: row(words.theme, theme),
-    background: row(words.background, transparent),
+    size: picture.size,
+    theme: picture.theme,
+    background: picture.background,
     table: row(words.table, table),
     content: row(ofCells.content, content),
   };
@@ -167,10 +142,7 @@ export function showExport(app) {
       return w === wanted.width && h === wanted.height;
     });
     scale.set(same ?? /** @type {any} */ (""));
-    width.set(wanted.width);
-    height.set(wanted.height);
-    theme.set(wanted.theme);
-    transparent.set(wanted.transparent);
+    picture.set(wanted);
     table.set(wanted.table);
     content.set(wanted.content);
     for (const [name, element] of Object.entries(rows)) {

@@ -13,14 +13,9 @@
  */
 import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed, percent } from "../format.js";
+import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
 import { bodyOf } from "./document.js";
 import { words } from "./words.js";
-
-/** Distance of the card from the place, and of its edge from the picture, in CSS pixels. */
-const GAP = 18;
-const EDGE = 8;
-/** Fractions that are not shown. */
-const NOTHING = 5e-4;
 
 /** @param {App} app */
 export function createMarks(app) {
@@ -63,10 +58,7 @@ export function createMarks(app) {
       put(cross, isCross ? at : null);
       if (!at || !reading) return;
       card.replaceChildren(...content(app, reading));
-      const [wide, high] = [card.offsetWidth, card.offsetHeight];
-      const x = at[0] + GAP + wide < size.width - EDGE ? at[0] + GAP : at[0] - GAP - wide;
-      const y = at[1] + GAP + high < size.height - EDGE ? at[1] + GAP : at[1] - GAP - high;
-      card.style.transform = `translate(${Math.round(Math.max(EDGE, x))}px, ${Math.round(Math.max(EDGE, y))}px)`;
+      placeCard(card, at, size);
     },
   };
 }
@@ -74,21 +66,12 @@ export function createMarks(app) {
 /** @param {App} app @param {BodyReading} reading */
 function content(app, { cell, uvw, point, mix }) {
   const { materials, unit } = bodyOf(app);
-  const entry = (/** @type {string} */ label, /** @type {string} */ value) =>
-    h("div", { class: "probe-row" }, h("span", {}, label), h("span", { class: "number" }, value));
-  const bar = h("div", { class: "fraction-bar" });
   const present = mix.map((fraction, i) => ({ fraction, material: materials[i] })).filter(({ fraction }) => fraction >= NOTHING);
-  for (const { fraction, material } of present) {
-    const part = h("span", {});
-    part.style.flexGrow = String(fraction);
-    part.style.backgroundColor = material.color;
-    bar.append(part);
-  }
   return [
     h("div", { class: "probe-head" }, h("strong", {}, words.cells.nth(cell)), h("span", { class: "number" }, unit)),
     entry("u, v, w", uvw.map((t) => fixed(t, 2)).join(", ")),
     entry("x, y, z", point.map(coordinate).join(", ")),
-    bar,
+    fractionBar(mix, materials),
     ...present.map(({ fraction, material }) => entry(material.name, percent(fraction))),
   ];
 }

@@ -3,6 +3,11 @@
  * or over the least Jacobian of each cell.
  *
  * @import { BodySection, BodySurface, CellVerdict } from "../../../js/directrix.js"
+ * @import { Known } from "./runner.js"
+ * @import { Shown } from "./state.js"
+ *
+ * @typedef {{color: "material"} | {color: "fraction", material: number} | {color: "jacobian", values: Map<number, number>}} Coloring
+ * `values`: of each cell.
  */
 import { labsOf, plainColor } from "../space/colors.js";
 
@@ -26,7 +31,7 @@ export const relativeJacobian = ({ leastJacobianBound }, volume) => (volume === 
 /**
  * Oklab of every vertex.
  * @param {Pick<BodySurface | BodySection, "colors" | "fractions" | "cells">} mesh
- * @param {{color: "material"} | {color: "fraction", material: number} | {color: "jacobian", values: Map<number, number>}} how `values`: of each cell
+ * @param {Coloring} how
  * @returns {Float32Array}
  */
 export function labsFor({ colors, fractions, cells }, how) {
@@ -39,4 +44,32 @@ export function labsFor({ colors, fractions, cells }, how) {
     bytes.set(viridis(share), 4 * n);
   }
   return labsOf(bytes);
+}
+
+/** The least of the cells' least Jacobians, each as a share of the mean of its cell; null without cells. @param {Pick<Known, "cells" | "verdicts">} known */
+export function leastOf({ cells, verdicts }) {
+  const volumes = new Map(cells.map(({ id, volume }) => [id, volume]));
+  return verdicts.length === 0 ? null : Math.min(...verdicts.map((verdict) => relativeJacobian(verdict, volumes.get(verdict.cell) ?? 0)));
+}
+
+/** The ends of the scale of Jacobians: from the least of all cells, but 0 at most, to 1. @param {Known | null} known @returns {[number, number] | null} */
+export function rangeOf(known) {
+  const least = known && leastOf(known);
+  return least === null ? null : [Math.min(0, least), 1];
+}
+
+/**
+ * What the colours are, for surfaces and faces alike.
+ * @param {Pick<Shown, "color" | "material">} shown
+ * @param {Known | null} known
+ * @param {number} materials how many there are
+ * @returns {Coloring}
+ */
+export function coloringOf({ color, material }, known, materials) {
+  if (color === "fraction") return { color, material: Math.min(material, materials - 1) };
+  if (color === "material" || !known) return { color: "material" };
+  const [low, high] = rangeOf(known) ?? [0, 1];
+  const volumes = new Map(known.cells.map(({ id, volume }) => [id, volume]));
+  const values = new Map(known.verdicts.map((verdict) => [verdict.cell, (relativeJacobian(verdict, volumes.get(verdict.cell) ?? 0) - low) / (high - low)]));
+  return { color, values };
 }

@@ -4,7 +4,6 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "../inspector/group.js"
  * @import { StandardView } from "../space/camera.js"
- * @import { Section, SectionAxis } from "../solid/state.js"
  * @import { CellVerdict } from "../../../js/directrix.js"
  * @import { Known } from "./runner.js"
  * @import { Shown } from "./state.js"
@@ -29,13 +28,12 @@ import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
-import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed, percent } from "../format.js";
-import { shownKey } from "../commands.js";
-import { placeOf, sectionText, shareOf } from "../solid/groups.js";
+import { fact } from "../space/card.js";
 import { measure } from "../space/measure.js";
-import { keyOf } from "../space/keys.js";
+import { sectionRows } from "../space/section-group.js";
+import { viewButtons } from "../space/stand.js";
 import { relativeJacobian } from "./colors.js";
 import { bodyOf } from "./document.js";
 import { boundsOf } from "./state.js";
@@ -46,8 +44,7 @@ import { words } from "./words.js";
 const LISTED = 60;
 /** Largest coordinate of the format. */
 const FAR = 1e9;
-/** Steps of the section's slider, and of the fields of a corner as a share of the body. */
-const STEP = 0.001;
+/** A step of the fields of a corner, as a share of the body. */
 const NUDGE = 0.01;
 
 /**
@@ -71,10 +68,6 @@ export function nudgeOf(known) {
 /** Cells from the worst on, and of those with one verdict by their numbers. @param {readonly CellVerdict[]} verdicts */
 export const worstFirst = (verdicts) =>
   [...verdicts].sort((a, b) => WORST_FIRST.indexOf(a.verdict) - WORST_FIRST.indexOf(b.verdict) || a.cell - b.cell);
-
-/** @param {string} text @param {Node | string} value @param {string} name */
-const fact = (text, value, name) =>
-  h("div", { class: "space-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function cellsGroup(app, now, { change }) {
@@ -192,46 +185,21 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function sectionGroup(app, now, { change }) {
-  const put = (/** @type {Partial<Section>} */ patch) => change({ section: { ...now().shown.section, ...patch } });
-  const axis = segment(
-    { label: words.section.axis, name: "body-axis", choices: /** @type {const} */ (["off", "x", "y", "z", "view"]).map((value) => ({ value, text: words.section.axes[value] })) },
-    (value) => put({ axis: /** @type {SectionAxis} */ (value) }),
+  const rows = sectionRows(
+    { name: "body", words: words.section, step: () => nudgeOf(now().known), decimals: 2 },
+    () => ({ section: now().shown.section, extent: now().extent, unit: bodyOf(app).unit }),
+    (section) => change({ section }),
   );
-  const place = slider({ label: words.section.field, name: "body-at", min: 0, max: 1, step: STEP }, { change: (at) => put({ at }) });
-  const field = numberField(
-    { label: words.section.field, name: "body-place", min: -FAR, max: FAR, step: () => nudgeOf(now().known), decimals: 2, rounded: true },
-    {
-      change(value) {
-        const { extent, shown } = now();
-        if (extent) put({ at: shareOf(value, extent, shown.section.axis) });
-      },
-    },
-  );
-  field.element.classList.add("short");
-  const other = checkBox({ name: "body-other", text: [words.section.other] }, (flipped) => put({ flipped }));
   const area = h("div", {});
-  const on = h("div", {}, row(words.section.at, place, field), row("", other), area, h("p", { class: "body-note" }, words.section.note));
+  rows.on.append(area, h("p", { class: "body-note" }, words.section.note));
   return {
     name: "section",
     heading: words.groups.section,
-    body: h("div", {}, row(words.section.axis, axis), on),
-    phrase() {
-      const { shown, extent } = now();
-      const { axis: across, at } = shown.section;
-      return across === "off" || !extent ? words.section.off : sectionText(across, placeOf(at, extent, across), bodyOf(app).unit);
-    },
+    body: rows.element,
+    phrase: rows.phrase,
     render() {
-      const { shown, extent, area: cut } = now();
-      const { section } = shown;
-      axis.set(section.axis);
-      on.hidden = section.axis === "off";
-      place.set(section.at);
-      other.set(section.flipped);
-      if (extent && section.axis !== "off") {
-        const value = placeOf(section.at, extent, section.axis);
-        field.set(Number(value.toPrecision(9)));
-        place.input.setAttribute("aria-valuetext", sectionText(section.axis, value, bodyOf(app).unit));
-      }
+      rows.render();
+      const { area: cut } = now();
       const next = cut === null ? [] : [fact(words.section.area, measure(cut, bodyOf(app).unit, 2), "area")];
       if (area.textContent !== (next[0]?.textContent ?? "")) area.replaceChildren(...next);
     },
@@ -279,13 +247,6 @@ function showGroup(app, now, { change, look }) {
   let names = "";
   /** @type {ReturnType<typeof select> | null} */
   let choice = null;
-  const views = /** @type {const} */ (["iso", "front", "side", "top"]).map((view) =>
-    h(
-      "button",
-      { type: "button", class: "push space-view", "data-body-view": view, title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`, onclick: () => look(view) },
-      words.show.views[view],
-    ),
-  );
   return {
     name: "show",
     heading: words.groups.show,
@@ -295,7 +256,7 @@ function showGroup(app, now, { change, look }) {
       h("div", { class: "body-color" }, color.element),
       material,
       h("div", { class: "layers body-layers" }, ...boxes.map(({ element }) => element)),
-      h("div", { class: "space-views", role: "group", "aria-label": words.show.view }, ...views),
+      viewButtons("body", words.show, look),
     ),
     phrase: () => words.show.colors[now().shown.color],
     render() {

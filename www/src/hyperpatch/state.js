@@ -3,7 +3,7 @@
  *
  * @import { BodySharing, BodySurface } from "../../../js/directrix.js"
  * @import { Bounds } from "../space/vector.js"
- * @import { Section } from "../solid/state.js"
+ * @import { Section } from "../space/section.js"
  * @import { Reach, Side } from "./edits.js"
  *
  * @typedef {object} Shown

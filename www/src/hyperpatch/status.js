@@ -13,7 +13,7 @@ import { icon, symbol } from "../icons.js";
 import { fillStatus } from "../modes/status-line.js";
 import { measure } from "../space/measure.js";
 import { strings } from "../strings.js";
-import { relativeJacobian } from "./colors.js";
+import { leastOf } from "./colors.js";
 import { bodyOf } from "./document.js";
 import { words } from "./words.js";
 
@@ -46,10 +46,18 @@ export function judged({ verdicts, summary }) {
   return { outcome, problems, remarks };
 }
 
-/** The least of the cells' least Jacobians, each as a share of the mean of its cell; null without cells. @param {Pick<Known, "cells" | "verdicts">} known */
-export function leastOf({ cells, verdicts }) {
-  const volumes = new Map(cells.map(({ id, volume }) => [id, volume]));
-  return verdicts.length === 0 ? null : Math.min(...verdicts.map((verdict) => relativeJacobian(verdict, volumes.get(verdict.cell) ?? 0)));
+/** A body in words. @param {App} app @param {Known} known */
+export function summaryOf(app, known) {
+  const { outcome, problems, remarks } = judged(known);
+  const verdict = { checking: words.status.checking, verified: words.status.verified, certified: words.status.valid, problems: problems.map(({ text }) => text).join(", ") }[outcome];
+  const least = leastOf(known);
+  return words.spoken.summary([
+    verdict,
+    words.cells.phrase(known.cells.length),
+    ...(least === null ? [] : [`${words.cells.jacobian} ${fixed(least, 2)} ${words.cells.ofMean}`]),
+    `${words.status.volume} ${measure(known.volume, bodyOf(app).unit, 3)}`,
+    ...remarks,
+  ]);
 }
 
 /**

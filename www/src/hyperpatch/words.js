@@ -70,7 +70,7 @@ export const words = {
     other: "Show the other side",
     area: "Area cut",
     off: "off",
-    value: (/** @type {string} */ axis, /** @type {string} */ place) => (axis === "view" ? `across the view, ${place}` : `${axis} ${place}`),
+    value: (/** @type {string} */ axis, /** @type {string} */ place) => (axis === "view" ? `${place} from the middle` : `${axis} = ${place}`),
     note: "The cut face has the colours of the composition inside, unlit.",
   },
   materials: { amount: "Volume of each material", unknown: "amounts follow", phrase: (/** @type {number} */ count) => (count === 1 ? "1 material" : `${count} materials`) },

@@ -13,7 +13,7 @@
  * @property {() => void} close
  */
 import "../../styles/morph.css";
-import { checkBox, segment } from "../controls/choices.js";
+import { segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
@@ -21,6 +21,7 @@ import { h, write } from "../dom.js";
 import { copyText } from "../files/clipboard.js";
 import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
+import { pictureRows } from "../files/picture-rows.js";
 import { scaledSize, svgOf } from "../files/pictures.js";
 import { significantText } from "../format.js";
 import { problem } from "../painter.js";
@@ -33,7 +34,6 @@ import { motionRows } from "./motion-rows.js";
 import { pathText } from "./path-texts.js";
 import { words } from "./words.js";
 
-const SMALLEST = 16;
 const TYPES = { svg: "image/svg+xml", json: "application/json", css: "text/css", smil: "image/svg+xml" };
 const ENDINGS = { svg: "svg", json: "json", css: "css", smil: "svg" };
 /** Tolerance until another is chosen, and the range offered, as shares of the diagonal of the box of both curves. */
@@ -89,21 +89,6 @@ export function createMorphExport(app) {
     },
     (value) => change({ shows: value }),
   );
-  const side = (/** @type {"width" | "height"} */ name) =>
-    numberField(
-      {
-        label: words[name],
-        name: `morph-${name}`,
-        prefix: words[name].charAt(0),
-        min: SMALLEST,
-        max: LARGEST_FILM,
-        step: 1,
-        decimals: 0,
-        whole: true,
-      },
-      { change: (value) => change({ [name]: value }) },
-    );
-  const [width, height] = [side("width"), side("height")];
   const frames = numberField(
     { label: words.frames, name: "morph-frames", min: FEWEST_FRAMES, max: MOST_FRAMES, step: 1, decimals: 0, whole: true },
     { change: (value) => change({ frames: value }) },
@@ -112,15 +97,7 @@ export function createMorphExport(app) {
     { label: words.rate, name: "morph-rate", choices: RATES.map((value) => ({ value, text: value })) },
     (value) => change({ rate: value }),
   );
-  const theme = segment(
-    {
-      label: words.theme,
-      name: "morph-theme",
-      choices: /** @type {const} */ (["light", "dark"]).map((value) => ({ value, text: words.themes[value] })),
-    },
-    (value) => change({ theme: value }),
-  );
-  const transparent = checkBox({ name: "morph-transparent", text: [words.transparent] }, (on) => change({ transparent: on }));
+  const picture = pictureRows({ name: "morph", words, largest: LARGEST_FILM }, change);
   const within = numberField(
     {
       label: words.toleranceLabel(app.store.document.unit),
@@ -149,11 +126,11 @@ export function createMorphExport(app) {
 
   const rows = {
     shows: row(words.shows, shows),
-    size: row(words.size, width, height),
+    size: picture.size,
     frames: row(words.frames, frames),
     rate: row(words.rate, rate),
-    theme: row(words.theme, theme),
-    background: row("", transparent),
+    theme: picture.theme,
+    background: picture.background,
     tolerance: row(words.tolerance, within),
     text: row(words.text, text),
     motion: motion.element,
@@ -211,12 +188,9 @@ export function createMorphExport(app) {
   function render() {
     kind.set(wanted.kind);
     shows.set(wanted.shows);
-    width.set(wanted.width);
-    height.set(wanted.height);
     frames.set(wanted.frames);
     rate.set(wanted.rate);
-    theme.set(wanted.theme);
-    transparent.set(wanted.transparent);
+    picture.set(wanted);
     within.set(rounded(tolerance ?? TOLERANCE * diagonal(app)));
     text.set(wanted.text);
     motion.render();

@@ -9,18 +9,14 @@
 import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed, percent } from "../format.js";
 import { symbol } from "../icons.js";
+import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
 import { curveName } from "../state/app.js";
 import { words } from "./words.js";
 
-/** Distance of the card from the place, and of its edge from the picture, in CSS pixels. */
-const GAP = 18;
-const EDGE = 8;
 /** Materials named in the card, the longest line of whole names, and letters of a short one. */
 const NAMED = 3;
 const LINE = 16;
 const SHORT = 3;
-/** Fractions that are not shown. */
-const NOTHING = 5e-4;
 
 /** @param {App} app */
 export function createCard(app) {
@@ -46,10 +42,7 @@ export function createCard(app) {
       for (const mark of [ring, cross]) attribute(mark, "transform", `translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`);
       if (!reading) return;
       card.replaceChildren(...(reading === "inside" ? [h("div", { class: "probe-row" }, words.read.inside)] : content(app, reading, color)));
-      const [wide, high] = [card.offsetWidth, card.offsetHeight];
-      const x = at[0] + GAP + wide < size.width - EDGE ? at[0] + GAP : at[0] - GAP - wide;
-      const y = at[1] + GAP + high < size.height - EDGE ? at[1] + GAP : at[1] - GAP - high;
-      card.style.transform = `translate(${Math.round(Math.max(EDGE, x))}px, ${Math.round(Math.max(EDGE, y))}px)`;
+      placeCard(card, at, size);
     },
   };
 }
@@ -57,16 +50,6 @@ export function createCard(app) {
 /** @param {App} app @param {SolidReading} reading @param {SolidColor} color */
 function content(app, { point, fractions, s, scalar, cap }, color) {
   const { document } = app.store;
-  const entry = (/** @type {string | Node} */ label, /** @type {string} */ value) =>
-    h("div", { class: "probe-row" }, h("span", {}, label), h("span", { class: "number" }, value));
-  const bar = h("div", { class: "fraction-bar" });
-  fractions.forEach((fraction, i) => {
-    if (fraction < NOTHING) return;
-    const part = h("span", {});
-    part.style.flexGrow = String(fraction);
-    part.style.backgroundColor = document.materials[i]?.color ?? "";
-    bar.append(part);
-  });
   const largest = fractions
     .map((fraction, i) => ({ fraction, name: document.materials[i]?.name ?? "", i }))
     .sort((a, b) => b.fraction - a.fraction)
@@ -79,7 +62,7 @@ function content(app, { point, fractions, s, scalar, cap }, color) {
     ...(cap !== null ? [entry("", point.map(coordinate).join(", "))] : []),
     ...(s === null ? [] : [entry(symbol("s"), fixed(s, 3))]),
     ...(scalar === null || (color !== "twist" && color !== "flank") ? [] : [entry(words.read[color], `${fixed(scalar, 1)}°`)]),
-    bar,
+    fractionBar(fractions, document.materials),
     h(
       "div",
       { class: "fraction-names number" },

@@ -8,20 +8,19 @@
  */
 import "../../styles/solid.css";
 import { checkBox, segment } from "../controls/choices.js";
-import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
 import { h, write } from "../dom.js";
 import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
+import { pictureRows } from "../files/picture-rows.js";
 import { LARGEST, scaledSize } from "../files/pictures.js";
 import { problem } from "../painter.js";
 import { lackOf, reasonOf } from "./raise.js";
 import { colorOf, rowsOf, solidUi } from "./state.js";
 import { words } from "./words.js";
 
-/** Smallest side of a picture in pixels, and how much larger than the screen it is at first. */
-const SMALLEST = 16;
+/** How much larger than the screen a picture is at first. */
 const SCALE = 2;
 const TYPES = { stl: "model/stl", ply: "application/octet-stream", obj: "model/obj" };
 
@@ -58,27 +57,13 @@ export function createSolidExport(app) {
     (value) => change({ color: /** @type {SolidColor} */ (value) }),
   );
   const caps = checkBox({ name: "solid-export-caps", text: [text.closed] }, (on) => change({ caps: on }));
-  const side = (/** @type {"width" | "height"} */ name) =>
-    numberField(
-      { label: text[name], name: `solid-${name}`, prefix: text[name].charAt(0), min: SMALLEST, max: LARGEST, step: 1, decimals: 0, whole: true },
-      { change: (value) => change({ [name]: value }) },
-    );
-  const [width, height] = [side("width"), side("height")];
-  const theme = segment(
-    {
-      label: text.theme,
-      name: "solid-theme",
-      choices: /** @type {const} */ (["light", "dark"]).map((value) => ({ value, text: text.themes[value] })),
-    },
-    (value) => change({ theme: value }),
-  );
-  const transparent = checkBox({ name: "solid-transparent", text: [text.transparent] }, (on) => change({ transparent: on }));
+  const picture = pictureRows({ name: "solid", words: text, largest: LARGEST }, change);
   const rows = {
     color: row(text.color, colors),
     caps: row(text.caps, caps),
-    size: row(text.size, width, height),
-    theme: row(text.theme, theme),
-    background: row(text.background, transparent),
+    size: picture.size,
+    theme: picture.theme,
+    background: picture.background,
   };
   /** @type {{[kind in SolidFormat]: (keyof typeof rows)[]}} */
   const shown = { stl: ["caps"], ply: ["color", "caps"], obj: ["color", "caps"], png: ["size", "theme", "background"] };
@@ -99,10 +84,7 @@ export function createSolidExport(app) {
     kind.set(wanted.kind);
     colors.set(wanted.color);
     caps.set(wanted.caps);
-    width.set(wanted.width);
-    height.set(wanted.height);
-    theme.set(wanted.theme);
-    transparent.set(wanted.transparent);
+    picture.set(wanted);
     for (const [name, element] of Object.entries(rows)) element.hidden = !shown[wanted.kind].some((each) => each === name);
     const lack = lackOf(app.store.document);
     write(note, lack ?? text.notes[wanted.kind]);

@@ -6,23 +6,23 @@
  * @import { NumberField } from "../controls/number-field.js"
  * @import { StandardView } from "../space/camera.js"
  * @import { Known } from "./status.js"
- * @import { SectionAxis, SolidColor } from "./state.js"
+ * @import { SolidColor } from "./state.js"
  *
  * @typedef {object} Now
  * @property {Known} known
  * @property {[number, number] | null} extent of the section plane's way, document units
  * @property {boolean} hasFace whether a cut has a face
  */
-import { checkBox, segment } from "../controls/choices.js";
+import { checkBox } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
-import { slider } from "../controls/slider.js";
 import { h, write } from "../dom.js";
 import { editable, fixed } from "../format.js";
 import { editing } from "../inspector/edit.js";
-import { shownKey } from "../commands.js";
-import { keyOf } from "../space/keys.js";
+import { fact } from "../space/card.js";
+import { sectionRows } from "../space/section-group.js";
+import { viewButtons } from "../space/stand.js";
 import { curveName } from "../state/app.js";
 import { changeCurve } from "../state/edits.js";
 import { hasSpace } from "../state/in-space.js";
@@ -34,8 +34,6 @@ import { words } from "./words.js";
 
 /** Largest height the format allows. */
 const FAR = 1e12;
-/** Steps of the section's slider. */
-const STEP = 0.001;
 
 /**
  * @param {App} app
@@ -46,10 +44,6 @@ const STEP = 0.001;
 export function createSolidGroups(app, now, { look }) {
   return [showGroup(app, look), sectionGroup(app, now), heightsGroup(app), bodyGroup(app, now)];
 }
-
-/** @param {string} text @param {string} value @param {string} name */
-const fact = (text, value, name) =>
-  h("div", { class: "space-fact", "data-fact": name }, h("span", {}, text), h("span", { class: "strong number" }, value));
 
 /** @param {App} app @param {() => Now} now @returns {Group} */
 function bodyGroup(app, now) {
@@ -145,19 +139,6 @@ function showGroup(app, look) {
       changeSolid(app, { layers: SOLID_LAYERS.filter((layer) => (layer === name ? on : layers.includes(layer))) });
     }),
   }));
-  const views = /** @type {const} */ (["iso", "front", "side", "top"]).map((view) =>
-    h(
-      "button",
-      {
-        type: "button",
-        class: "push space-view",
-        "data-solid-view": view,
-        title: `${words.show.viewsLong[view]} (${shownKey(keyOf(view))})`,
-        onclick: () => look(view),
-      },
-      words.show.views[view],
-    ),
-  );
   const body = h(
     "div",
     {},
@@ -165,7 +146,7 @@ function showGroup(app, look) {
     materialRow,
     note,
     h("div", { class: "layers solid-layers" }, ...boxes.map(({ element }) => element)),
-    h("div", { class: "space-views", role: "group", "aria-label": words.show.view }, ...views),
+    viewButtons("solid", words.show, look),
   );
   return {
     name: "show",
@@ -194,81 +175,21 @@ function showGroup(app, look) {
 
 /** @param {App} app @param {() => Now} now @returns {Group} */
 function sectionGroup(app, now) {
-  const change = (/** @type {Partial<import("./state.js").Section>} */ patch) => changeSolid(app, { section: { ...solidUi(app).section, ...patch } });
-  const axis = segment(
-    {
-      label: words.section.axis,
-      name: "section-axis",
-      choices: /** @type {const} */ (["off", "x", "y", "z", "view"]).map((value) => ({ value, text: words.section.axes[value] })),
-    },
-    (value) => change({ axis: /** @type {SectionAxis} */ (value) }),
+  const rows = sectionRows(
+    { name: "section", words: words.section, step: () => arrowStep(app.store.document), decimals: 1 },
+    () => ({ section: solidUi(app).section, extent: now().extent, unit: app.store.document.unit }),
+    (section) => changeSolid(app, { section }),
   );
-  const place = slider({ label: words.section.atField, name: "section-at", min: 0, max: 1, step: STEP }, { change: (at) => change({ at }) });
-  const field = numberField(
-    { label: words.section.atField, name: "section-place", min: -FAR, max: FAR, step: () => arrowStep(app.store.document), decimals: 1, rounded: true },
-    {
-      change(value) {
-        const { extent } = now();
-        if (extent) change({ at: shareOf(value, extent, solidUi(app).section.axis) });
-      },
-    },
-  );
-  field.element.classList.add("short");
-  const other = checkBox({ name: "section-other", text: [words.section.other] }, (flipped) => change({ flipped }));
-  const placeRow = row(words.section.at, place, field);
-  const otherRow = row("", other);
   const note = h("p", { class: "solid-note" });
+  rows.on.append(note);
   return {
     name: "section",
     heading: words.groups.section,
-    body: h("div", {}, row(words.section.axis, axis), placeRow, otherRow, note),
-    phrase() {
-      const { axis, at } = solidUi(app).section;
-      const { extent } = now();
-      return axis === "off" || !extent ? words.section.off : sectionText(axis, placeOf(at, extent, axis), app.store.document.unit);
-    },
+    body: rows.element,
+    phrase: rows.phrase,
     render() {
-      const { section } = solidUi(app);
-      const { extent, hasFace } = now();
-      const isOn = section.axis !== "off";
-      axis.set(section.axis);
-      placeRow.hidden = !isOn;
-      otherRow.hidden = !isOn;
-      note.hidden = !isOn;
-      place.set(section.at);
-      other.set(section.flipped);
-      if (extent && isOn) {
-        const value = placeOf(section.at, extent, section.axis);
-        field.set(Number(value.toPrecision(9)));
-        place.input.setAttribute("aria-valuetext", sectionText(section.axis, value, app.store.document.unit));
-      }
-      write(note, hasFace ? words.section.note : words.section.openNote);
+      rows.render();
+      write(note, now().hasFace ? words.section.note : words.section.openNote);
     },
   };
 }
-
-/**
- * Where the plane stands: on its axis, or across the view from the middle of the body.
- * @param {number} at
- * @param {[number, number]} extent
- * @param {SectionAxis} axis
- */
-export function placeOf(at, extent, axis) {
-  return axis === "view" ? (at - 0.5) * (extent[1] - extent[0]) : extent[0] + at * (extent[1] - extent[0]);
-}
-
-/**
- * The inverse of `placeOf`, within the body.
- * @param {number} place
- * @param {[number, number]} extent
- * @param {SectionAxis} axis
- */
-export function shareOf(place, [low, high], axis) {
-  if (low === high) return 0.5;
-  const from = axis === "view" ? (low - high) / 2 : low;
-  return Math.min(1, Math.max(0, (place - from) / (high - low)));
-}
-
-/** @param {SectionAxis} axis @param {number} place @param {string} unit */
-export const sectionText = (axis, place, unit) => words.section.value(axis, `${fixed(place, 1)}\u00a0${unit}`.trim());
-

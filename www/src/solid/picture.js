@@ -6,10 +6,11 @@
  * @import { Whole } from "./state.js"
  */
 import { axesOf, eyeOf, fitted, STANDARD } from "../space/camera.js";
+import { sectionPlane } from "../space/section.js";
 import { Space } from "../space/space.js";
 import { triples } from "../space/vector.js";
 import { Body } from "./body.js";
-import { levelsOf, sectionPlane, solidUi, stagesAmong, upToPlane } from "./state.js";
+import { levelsOf, solidUi, stagesAmong, upToPlane } from "./state.js";
 import { words } from "./words.js";
 
 /** Background of the page by theme. */

@@ -13,22 +13,22 @@ import "../../styles/solid.css";
 import { attribute, h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { editable, fixed } from "../format.js";
-import { icon } from "../icons.js";
 import { createGroups } from "../inspector/inspector.js";
-import { shownKey } from "../commands.js";
 import { STANDARD } from "../space/camera.js";
 import { moveOf } from "../space/keys.js";
-import { NoWebGl } from "../space/space.js";
+import { measure } from "../space/measure.js";
+import { placeOf, planeMoves } from "../space/section.js";
+import { sectionText } from "../space/section-group.js";
+import { createStand, followSize, isElsewhere, whereDrawn } from "../space/stand.js";
 import { curveName } from "../state/app.js";
 import { seenAlong } from "../state/in-space.js";
 import { strings } from "../strings.js";
 import { createBuildUp } from "./build-up.js";
-import { createSolidGroups, placeOf, sectionText, shareOf } from "./groups.js";
+import { createSolidGroups } from "./groups.js";
 import { createSolidLegend } from "./legend.js";
 import { lackOf, proposal, raised, reasonOf } from "./raise.js";
 import { createRunner } from "./runner.js";
 import { changeSolid, colorOf, levelsOf, solidUi } from "./state.js";
-import { measure } from "../space/measure.js";
 import { renderStatus, sidesOf } from "./status.js";
 import { createSolidView } from "./view.js";
 import { words } from "./words.js";
@@ -37,8 +37,6 @@ import { words } from "./words.js";
 const REST = 250;
 /** CSS pixels at the upper edge that the switch of modes takes. */
 const TOP = 44;
-/** A step of the section plane by keys, as a share of its way. */
-const STEP = 0.01;
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["show", "section", "heights", "body"], tab: "show" };
@@ -64,22 +62,27 @@ export function createSolid(app, { stage, aside, status }) {
   let spoken = "";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
-  /** @type {{of: string, at: number} | null} */
-  let drag = null;
 
-  const view = tryView();
+  const plane = planeMoves({
+    read: () => solidUi(app).section,
+    extent: () => view?.extent ?? null,
+    write: (section) => changeSolid(app, { section }),
+    told: (axis, place) => app.say(sectionText(words.section, axis, place, store.document.unit)),
+  });
+  const view = whereDrawn(() =>
+    createSolidView(app, {
+      plane,
+      moved: keepLater,
+      oncontext(lost) {
+        isLost = lost;
+        render();
+      },
+    }),
+  );
   const legend = createSolidLegend(app);
   const caption = h("p", { class: "solid-caption" });
   const message = h("div", { class: "space-message", hidden: true });
-  const help = h("p", { id: "solid-help", class: "spoken" }, words.keyboardHelp);
-  const keyboard = h("div", {
-    id: "solid-keys",
-    class: "space-keys",
-    tabIndex: 0,
-    role: "application",
-    "aria-label": words.keyboard,
-    "aria-describedby": "solid-help",
-  });
+  const { picture, keyboard, help, zoom } = createStand({ name: "solid", words, view });
   const buildUp = createBuildUp(app, {
     read: () => upTo,
     set(value) {
@@ -88,15 +91,8 @@ export function createSolid(app, { stage, aside, status }) {
     },
     rest: keepLater,
   });
-  const zoom = h(
-    "div",
-    { class: "zoom", role: "group", "aria-label": words.zoom.region, "data-furniture": "" },
-    zoomButton("minus", words.zoom.out, "-", () => view?.move({ zoom: 1 / 1.25 })),
-    zoomButton("plus", words.zoom.in, "+", () => view?.move({ zoom: 1.25 })),
-    zoomButton("fit", words.zoom.fit, "F", () => view?.move({ fit: true })),
-  );
   const foot = h("div", { class: "morph solid-foot" }, /** @type {any} */ (view?.triad) ?? h("span", {}), buildUp.element, zoom);
-  const picture = h("div", { class: "space-picture" }, ...(view ? [view.canvas] : []), keyboard, .../** @type {any[]} */ (view?.overlays ?? []));
+  const { resize, close: stopFollowing } = followSize(picture, view, () => ({ top: TOP, bottom: foot.offsetHeight }));
   stage.append(picture, caption, legend.element, help, message, foot);
   const groupsAt = h("div", { class: "steps-groups solid-groups" });
   aside.append(groupsAt);
@@ -139,31 +135,6 @@ export function createSolid(app, { stage, aside, status }) {
     },
   });
 
-  function tryView() {
-    try {
-      return createSolidView(app, {
-        plane: { move: movePlane, end: () => (drag = null), undo: undoPlane, step: stepPlane },
-        moved: keepLater,
-        oncontext(lost) {
-          isLost = lost;
-          render();
-        },
-      });
-    } catch (error) {
-      if (error instanceof NoWebGl) return null;
-      throw error;
-    }
-  }
-
-  /** @param {string} face @param {string} label @param {string} key @param {() => void} act */
-  function zoomButton(face, label, key, act) {
-    return h(
-      "button",
-      { type: "button", class: "bare icon-only", "data-solid-zoom": face, "aria-label": label, title: `${label} (${shownKey(key)})`, onclick: act },
-      icon(face),
-    );
-  }
-
   /** Shows a new solid from where it was seen before, or as a whole. @param {Whole} solid */
   function frameOf(solid) {
     if (!view) return;
@@ -191,38 +162,6 @@ export function createSolid(app, { stage, aside, status }) {
     else changeSolid(app, { upTo });
   }
 
-  /** @param {number} offset along the normal @param {string} run */
-  function movePlane(offset, run) {
-    const { section } = solidUi(app);
-    const extent = view?.extent;
-    if (!extent) return;
-    if (drag?.of !== run) drag = { of: run, at: section.at };
-    const place = isReversed() ? -offset : offset;
-    changeSolid(app, { section: { ...section, at: shareOf(place, extent, section.axis) } });
-  }
-
-  /** Whether the normal of the plane points against its axis. */
-  function isReversed() {
-    const { axis, flipped } = solidUi(app).section;
-    return (axis !== "y") !== flipped;
-  }
-
-  /** @param {string} run */
-  function undoPlane(run) {
-    const { section } = solidUi(app);
-    if (drag?.of === run) changeSolid(app, { section: { ...section, at: drag.at } });
-    drag = null;
-  }
-
-  /** @param {number} steps */
-  function stepPlane(steps) {
-    const { section } = solidUi(app);
-    const at = Math.min(1, Math.max(0, section.at + steps * STEP));
-    changeSolid(app, { section: { ...section, at } });
-    const extent = view?.extent;
-    if (extent) app.say(sectionText(section.axis, placeOf(at, extent, section.axis), store.document.unit));
-  }
-
   const over = new AbortController();
   addEventListener("keydown", key, { signal: over.signal });
   // Before the page writes down what a reload brings back.
@@ -230,9 +169,8 @@ export function createSolid(app, { stage, aside, status }) {
 
   /** @param {KeyboardEvent} event */
   function key(event) {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || !known.solid) return;
+    if (isElsewhere(event) || !known.solid) return;
     const target = event.target instanceof Element ? event.target : null;
-    if (target?.closest("input[type=text], select, textarea, [data-panel], [role=menu], [role=tab]")) return;
     const isOnPicture = target === keyboard;
     keyboard.classList.add("keyed");
     const move = moveOf(event, isOnPicture);
@@ -241,22 +179,6 @@ export function createSolid(app, { stage, aside, status }) {
     else if (event.key === "Enter" && isOnPicture) view?.readMiddle(true);
     else if (!(event.key === "Escape" && view?.readMiddle(false))) return;
     event.preventDefault();
-  }
-  view?.canvas.addEventListener("click", () => {
-    keyboard.focus({ preventScroll: true });
-    keyboard.classList.remove("keyed");
-  });
-
-  const observer = new ResizeObserver(() => {
-    resize();
-    view?.request();
-  });
-  observer.observe(picture);
-
-  function resize() {
-    const { clientWidth: width, clientHeight: height } = picture;
-    if (width < 1 || height < 1) return;
-    view?.resize({ size: { width, height }, top: TOP, bottom: foot.offsetHeight });
   }
 
   /** Why there is no solid, before the kernel is asked. */
@@ -366,7 +288,7 @@ export function createSolid(app, { stage, aside, status }) {
       const { section } = shown;
       if (extent && section.axis !== "off") {
         const now = placeOf(section.at, extent, section.axis);
-        view.mark.describe(sectionText(section.axis, now, store.document.unit), now, extent);
+        view.mark.describe(sectionText(words.section, section.axis, now, store.document.unit), now, extent);
       }
     }
     stage.dataset.solid = answered === store.document && known.solid ? "shown" : "";
@@ -387,7 +309,7 @@ export function createSolid(app, { stage, aside, status }) {
   return {
     render,
     close() {
-      observer.disconnect();
+      stopFollowing();
       over.abort();
       buildUp.close();
       runner.close();

@@ -4,19 +4,13 @@
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument } from "../types.js"
  * @import { Camera } from "../space/camera.js"
- * @import { Vector } from "../space/vector.js"
+ * @import { Section } from "../space/section.js"
  * @import { Plane } from "../space/plane.js"
  * @import { Solid, SolidOptions } from "../../../js/directrix.js"
  *
  * @typedef {Solid & {bounds: NonNullable<Solid["bounds"]>}} Whole A solid that is there.
  * @typedef {"rulings" | "stages" | "curves" | "caps" | "light" | "wireframe"} SolidLayer
  * @typedef {"material" | "fraction" | "twist" | "flank"} SolidColor
- * @typedef {"off" | "x" | "y" | "z" | "view"} SectionAxis
- *
- * @typedef {object} Section
- * @property {SectionAxis} axis that the plane stands across
- * @property {number} at its place on the way through the body, 0 to 1
- * @property {boolean} flipped whether the other side is taken away
  *
  * @typedef {object} SolidUi
  * @property {{camera: Camera, of: string} | null} seen from where, and which opening of a document that was; null for the first view
@@ -27,7 +21,7 @@
  * @property {number} upTo how much of the body stands, 0 to 1
  */
 import { extentAlong } from "../space/plane.js";
-import { scaled } from "../space/vector.js";
+import { AXES } from "../space/section.js";
 import { segmentsOf } from "../state/stages.js";
 
 export const SOLID_LAYERS = /** @type {const} */ (["rulings", "stages", "curves", "caps", "light", "wireframe"]);
@@ -58,28 +52,6 @@ export function changeSolid(app, patch) {
  */
 export function colorOf({ color, material }, materials) {
   return color === "fraction" ? { material: Math.min(material, materials - 1) } : color;
-}
-
-/** @type {Readonly<{[axis in "x" | "y" | "z"]: Vector}>} */
-const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
-
-/**
- * The plane of a section; what its normal points to is kept.
- * @param {Section} section
- * @param {ArrayLike<number>} positions of the body
- * @param {Vector} back from the body to the eye
- * @returns {{plane: Plane, extent: [number, number]} | null} with the offsets at the two ends of its way
- */
-export function sectionPlane({ axis, at, flipped }, positions, back) {
-  if (axis === "off" || positions.length === 0) return null;
-  // On the axes the side towards the viewer of the first view is taken away, across the view that towards the eye.
-  const away = axis === "view" ? scaled(back, -1) : axis === "y" ? AXES.y : scaled(AXES[axis], -1);
-  const normal = flipped ? scaled(away, -1) : away;
-  const along = axis === "view" ? back : AXES[axis];
-  const extent = extentAlong(along, positions);
-  const offset = extent[0] + at * (extent[1] - extent[0]);
-  const same = normal[0] * along[0] + normal[1] * along[1] + normal[2] * along[2] > 0;
-  return { plane: { normal, offset: same ? offset : -offset }, extent };
 }
 
 /** Rows of the mesh from curve to curve at least, so that the surface looks smooth. */

@@ -73,7 +73,7 @@ export const words = {
     axis: "Across",
     axes: { off: "Off", x: "x", y: "y", z: "z", view: "View" },
     at: "Place",
-    atField: "Place of the section",
+    field: "Place of the section",
     other: "Other side",
     handle: "Section plane",
     value: (/** @type {string} */ axis, /** @type {string} */ at) => (axis === "view" ? `${at} from the middle` : `${axis} = ${at}`),
