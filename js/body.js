@@ -116,10 +116,12 @@ const NAMED = {
   amounts: ({ amounts }) => Array.from(amounts),
   section: (raw) => ({ ...raw, patches: rows(raw.patches, 8).map((row) => patch(row, false)) }),
   surface: ({ cornerPositions, ...raw }) => ({
+    since: null,
     ...raw,
     patches: rows(raw.patches, 8).map((row) => patch(row, true)),
-    edges: rows(raw.edges, 5).map(([cell, number, cells, start, count]) => ({ ...edge(cell, number), cells, start, count })),
-    corners: rows(raw.corners, 3).map(([cell, number, cells], n) => ({
+    edges: rows(raw.edges, 6).map(([index, cell, number, cells, start, count]) => ({ index, ...edge(cell, number), cells, start, count })),
+    corners: rows(raw.corners, 4).map(([index, cell, number, cells], n) => ({
+      index,
       ...corner(cell, number),
       cells,
       position: three(cornerPositions, 3 * n),

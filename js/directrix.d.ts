@@ -751,6 +751,13 @@ export interface BodySection extends BodyTriangles {
 
 /** The boundary of a body: the faces that one cell alone has. Triangles run counter-clockwise from outside. */
 export interface BodySurface extends BodyTriangles {
+  /** The number of the surface, to be given as `since` when the next one is asked for. */
+  id: number;
+  /**
+   * null: all of it is here. Else the number of the surface to which this is what differs: all lists hold only what is new, one after the other, and
+   * `vertexStart`, `start` and `index` say where it belongs in those of that surface, whose other places stay as they are. `renewSurface` puts it there.
+   */
+  since: number | null;
   /** Three numbers a vertex: unit normals, outwards. */
   normals: Float32Array;
   patches: (BodyPatch & { face: FaceName })[];
@@ -762,9 +769,16 @@ export interface BodySurface extends BodyTriangles {
    * Each boundary curve once: a cell and its edge, along `axis` and at the start (0) or the end (1) of both other axes; how many cells have it; its
    * points in `edgePositions`.
    */
-  edges: { cell: number; axis: "u" | "v" | "w"; ends: number[]; cells: number; start: number; count: number }[];
+  edges: { index: number; cell: number; axis: "u" | "v" | "w"; ends: number[]; cells: number; start: number; count: number }[];
   /** Each corner once: a cell and its corner, 0 or 1 along u, v and w; how many cells have it. */
-  corners: { cell: number; corner: number[]; cells: number; position: Triple }[];
+  corners: { index: number; cell: number; corner: number[]; cells: number; position: Triple }[];
+}
+
+/** Places of a surface with new values: where each stretch starts and how long it is, in vertices, in `indices`, and in points of curves. */
+export interface SurfaceRanges {
+  vertices: [number, number][];
+  indices: [number, number][];
+  edges: [number, number][];
 }
 
 /** How cells continue each other, in shape and in material apart. */
@@ -829,7 +843,7 @@ export interface Hyperpatch {
   /** `steps` along each axis of a cell, 1 to 64, default 8. */
   section(plane: { normal: Triple; offset?: number; point?: Triple }, options?: { steps?: number }): BodySection;
   /** Default of the chord tolerance: a thousandth of the diagonal of the body. */
-  surface(options?: { tolerance?: number }): BodySurface;
+  surface(options?: { tolerance?: number; since?: number }): BodySurface;
   /** null outside; on what several cells share the one with the lowest number answers. */
   probe(point: Triple): { cell: number; uvw: Triple; mix: number[] } | null;
   relations(): CellRelation[];
@@ -998,6 +1012,12 @@ export function describeCurves(document: CurvesDocument): string;
  * What is known of a body in one sentence: `8 cells, all regular, none overlapping, materials sum to 1`. It counts what fails and says what holds once.
  */
 export function describeBody(summary: BodySummary): string;
+
+/**
+ * Puts what `surface({ since: surface.id })` brought into the arrays of that surface, and says which places have new values. null, and nothing is changed,
+ * when it is no change of that surface: then it is a whole one and takes its place.
+ */
+export function renewSurface(surface: BodySurface, change: BodySurface): SurfaceRanges | null;
 
 /** What a link says: the document it leads to, and how that is shown. Of `document`, `preset` and `url` at most one is there. */
 export interface Link {

@@ -46,7 +46,7 @@ pub use amounts::{BandAmounts, amounts};
 #[cfg(feature = "hyperpatch")]
 pub use body::{
     Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, DocumentKey, Held, KnownBody,
-    Painted, Parts, Sample, SharedParts, Stretch, Summary,
+    KnownSurface, Painted, Parts, Renewal, Sample, SharedParts, Stretch, Summary,
 };
 pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;

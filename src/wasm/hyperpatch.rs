@@ -10,7 +10,7 @@ use super::reading::Reading;
 use super::results::to_value;
 use crate::document::{
     Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, DocumentError, DocumentKey, HyperpatchModel,
-    KnownBody, Painted, Parts, Replay, Sample, SharedParts, Stage, Stretch, Summary,
+    KnownBody, Painted, Parts, Renewal, Replay, Sample, SharedParts, Stage, Stretch, Summary,
 };
 use crate::hyperpatch::composite::{CellId, Contact, FaceContinuity, Matching, Relation};
 use crate::hyperpatch::validity::{Report, Witness};
@@ -159,15 +159,19 @@ impl Asking {
                 bag.doubles("amounts", amounts)?;
             }
             Answer::Section(painted, area) => {
-                drawn(&bag, painted)?;
+                drawn(&bag, painted, known.model().materials().len(), None)?;
                 bag.set("outline", Uint32Array::from(painted.outlines.as_flattened()).into())?;
                 bag.number("area", *area)?;
             }
-            Answer::Surface(painted, boundary) => {
-                drawn(&bag, painted)?;
-                bag.floats("normals", &numbers(&painted.normals))?;
-                bag.number("deviation", painted.deviation)?;
-                edges(&bag, boundary)?;
+            Answer::Surface(surface, renewal) => {
+                let stretches = renewal.as_ref().map(|renewal| &renewal.stretches[..]);
+                drawn(&bag, &surface.painted, known.model().materials().len(), stretches)?;
+                bag.number("deviation", surface.painted.deviation)?;
+                bag.number("id", f64::from(surface.id))?;
+                if let Some(renewal) = renewal {
+                    bag.number("since", f64::from(renewal.since))?;
+                }
+                edges(&bag, &surface.boundary, renewal.as_ref())?;
             }
             Answer::Relations(relations) => bag.doubles("relations", &related(relations))?,
             Answer::Continuity(faces, contacts) => {
@@ -339,16 +343,34 @@ fn related(relations: &[([CellId; 2], Relation)]) -> Vec<f64> {
     relations.iter().flat_map(row).collect()
 }
 
-/// What a section and a surface have in common.
-fn drawn(bag: &Bag, painted: &Painted) -> Result<(), JsValue> {
-    bag.floats("positions", &numbers(&painted.positions))?;
-    bag.floats("parameters", &numbers(&painted.parameters))?;
-    bag.counts("cells", &painted.cells)?;
-    bag.floats("fractions", &painted.fractions.iter().map(|&part| part as f32).collect::<Vec<_>>())?;
-    bag.set("colors", Uint8Array::from(painted.colors.as_slice()).into())?;
-    bag.counts("indices", painted.triangles.as_flattened())?;
-    let patches: Vec<u32> = painted.stretches.iter().flat_map(stretch).collect();
-    bag.counts("patches", &patches)
+/// What a section and a surface have in common, of all stretches or of some.
+fn drawn(bag: &Bag, painted: &Painted, materials: usize, chosen: Option<&[usize]>) -> Result<(), JsValue> {
+    let all: Vec<usize>;
+    let chosen = match chosen {
+        Some(chosen) => chosen,
+        None => {
+            all = (0..painted.stretches.len()).collect();
+            &all
+        }
+    };
+    let stretches = || chosen.iter().map(|n| &painted.stretches[*n]);
+    let vertices = || stretches().map(|stretch| stretch.vertices.clone());
+    let points =
+        |list: &[DVec3]| -> Vec<f32> { vertices().flat_map(|range| numbers(&list[range])).collect() };
+    bag.floats("positions", &points(&painted.positions))?;
+    bag.floats("parameters", &points(&painted.parameters))?;
+    if !painted.normals.is_empty() {
+        bag.floats("normals", &points(&painted.normals))?;
+    }
+    bag.counts("cells", &vertices().flat_map(|range| &painted.cells[range]).copied().collect::<Vec<_>>())?;
+    let wide = |range: Range<usize>, width: usize| range.start * width..range.end * width;
+    let fractions = vertices().flat_map(|range| &painted.fractions[wide(range, materials)]);
+    bag.floats("fractions", &fractions.map(|&part| part as f32).collect::<Vec<_>>())?;
+    let colors = vertices().flat_map(|range| &painted.colors[wide(range, 4)]).copied();
+    bag.set("colors", Uint8Array::from(colors.collect::<Vec<_>>().as_slice()).into())?;
+    let triangles = stretches().flat_map(|stretch| &painted.triangles[stretch.triangles.clone()]);
+    bag.counts("indices", &triangles.flatten().copied().collect::<Vec<_>>())?;
+    bag.counts("patches", &stretches().flat_map(stretch).collect::<Vec<_>>())
 }
 
 /// Cell, face, and where vertices, indices and indices of outlines start and how many there are.
@@ -375,20 +397,28 @@ fn corner_number(corner: Corner) -> u32 {
     corner.0.iter().fold(0, |number, &is_end| 2 * number + u32::from(is_end))
 }
 
-/// Boundary curves: cell, edge, number of cells, and where its points start and how many there are. Corners: cell, corner, number of
-/// cells.
-fn edges(bag: &Bag, boundary: &Boundary) -> Result<(), JsValue> {
-    let edge = |(cell, edge, users, points): &(CellId, Edge, usize, Range<usize>)| {
-        [cell.0, edge_number(*edge), *users as u32, points.start as u32, points.len() as u32]
+/// Boundary curves: place in the list of all, cell, edge, number of cells, and where its points start and how many there are. Corners: place,
+/// cell, corner, number of cells. Points of the curves and corners that are listed come one after the other.
+fn edges(bag: &Bag, boundary: &Boundary, renewal: Option<&Renewal>) -> Result<(), JsValue> {
+    let chosen =
+        |some: Option<&Vec<usize>>, count: usize| some.cloned().unwrap_or_else(|| (0..count).collect());
+    let curves = chosen(renewal.map(|renewal| &renewal.edges), boundary.edges.len());
+    let edge = |n: usize| {
+        let (cell, edge, users, points) = &boundary.edges[n];
+        let (edge, users) = (edge_number(*edge), *users as u32);
+        [n as u32, cell.0, edge, users, points.start as u32, points.len() as u32]
     };
-    bag.floats("edgePositions", &numbers(&boundary.points))?;
-    bag.counts("edges", &boundary.edges.iter().flat_map(edge).collect::<Vec<_>>())?;
-    let corner = |(cell, corner, users, _): &(CellId, Corner, usize, DVec3)| {
-        [cell.0, corner_number(*corner), *users as u32]
+    let points = curves.iter().flat_map(|n| numbers(&boundary.points[boundary.edges[*n].3.clone()]));
+    bag.floats("edgePositions", &points.collect::<Vec<_>>())?;
+    bag.counts("edges", &curves.iter().flat_map(|n| edge(*n)).collect::<Vec<_>>())?;
+    let corners = chosen(renewal.map(|renewal| &renewal.corners), boundary.corners.len());
+    let corner = |n: usize| {
+        let (cell, corner, users, _) = &boundary.corners[n];
+        [n as u32, cell.0, corner_number(*corner), *users as u32]
     };
-    bag.counts("corners", &boundary.corners.iter().flat_map(corner).collect::<Vec<_>>())?;
-    let positions: Vec<f64> = boundary.corners.iter().flat_map(|(.., point)| point.to_array()).collect();
-    bag.doubles("cornerPositions", &positions)
+    bag.counts("corners", &corners.iter().flat_map(|n| corner(*n)).collect::<Vec<_>>())?;
+    let positions = corners.iter().flat_map(|n| boundary.corners[*n].3.to_array());
+    bag.doubles("cornerPositions", &positions.collect::<Vec<_>>())
 }
 
 fn side((cell, face): (CellId, Face)) -> [f64; 2] {

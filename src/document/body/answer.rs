@@ -1,10 +1,11 @@
 //! Answers to questions about a body.
 
-use super::{Boundary, Painted, Summary};
+use super::{KnownSurface, Painted, Renewal, Summary};
 use crate::hyperpatch::composite::{Body, CellId, Contact, FaceContinuity, Relation, Sharing};
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Corner, Edge, Face, Grid};
 use glam::DVec3;
+use std::rc::Rc;
 
 /// An answer to a [question](super::BodyAsk).
 #[derive(Debug, Clone)]
@@ -30,8 +31,8 @@ pub enum Answer {
     },
     /// What a plane cuts out, with its area.
     Section(Box<Painted>, f64),
-    /// The boundary in triangles, and its edges and corners.
-    Surface(Box<Painted>, Boundary),
+    /// The boundary in triangles with its edges and corners, and what of it differs from an earlier one.
+    Surface(Rc<KnownSurface>, Option<Renewal>),
     /// What the body holds at a point, if it lies in it.
     Probe(Option<Sample>),
     /// Every pair of cells that is not disjoint.

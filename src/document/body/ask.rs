@@ -67,6 +67,8 @@ pub enum BodyAsk {
     Surface {
         /// Chord tolerance; without one a thousandth of the size of the body.
         tolerance: Option<f64>,
+        /// The number of an earlier surface, of which only differences are wanted.
+        since: Option<u32>,
     },
     /// Cell, parameters and composition at a point.
     Probe(DVec3),
@@ -132,8 +134,14 @@ impl BodyAsk {
                 }
             }
             "surface" => {
-                known(&["tolerance"])?;
-                Self::Surface { tolerance: tolerance()? }
+                known(&["tolerance", "since"])?;
+                let since = options.as_ref().map_or(Ok(None), |options| options.get("since"))?;
+                let since = since.map(|node| node.count()).transpose()?;
+                // What is no number of a surface is that of one that is not known.
+                Self::Surface {
+                    tolerance: tolerance()?,
+                    since: since.map(|id| u32::try_from(id).unwrap_or(0)),
+                }
             }
             "probe" => Self::Probe(triple(&root.need("point")?, -LARGEST_COORDINATE, LARGEST_COORDINATE)?),
             "relations" => Self::Relations,

@@ -2,7 +2,10 @@
 
 use super::known::{Difference, Judged, Old, Relations};
 use super::paint::Painter;
-use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
+use super::resurface::{Resurfaced, Resurfacing};
+use super::{
+    Answer, BodyAsk, BodyFormat, Boundary, CellRow, Held, KnownBody, Painted, Parts, Renewal, Sample, Summary,
+};
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Relation, Sharing, Verdicts};
 use crate::hyperpatch::operation::moves;
 use crate::hyperpatch::validity::Report;
@@ -41,6 +44,7 @@ enum Work {
     Cutting(Box<Sectioning<Held>>),
     Meshing(Box<Tessellation<Held, Rc<Sharing>>>),
     Painting(Box<Painter>, f64),
+    Resurfacing(Box<Resurfacing>),
     Skinning(Box<Skin<Held>>),
     Coloring(Box<Mesh>, Vec<Color>),
     Writing(Box<FileJob>),
@@ -88,6 +92,7 @@ impl BodyJob {
             Work::Listing(rows) => rows.len() as f64 / cells,
             Work::Cutting(_) | Work::Meshing(_) => 0.3,
             Work::Painting(job, _) => 0.5 + 0.4 * job.progress(),
+            Work::Resurfacing(job) => job.progress(),
             Work::Skinning(_) | Work::Coloring(..) => 0.4,
             Work::Writing(job) => 0.5 + 0.5 * job.progress(),
             Work::Gridding(job) => job.progress(),
@@ -184,8 +189,16 @@ impl BodyJob {
                 None => Work::Painting(job, area),
                 Some((painted, boundary)) => match self.ask {
                     BodyAsk::Section { .. } => Work::Done(Some(Answer::Section(Box::new(painted), area))),
-                    _ => Work::Done(Some(Answer::Surface(Box::new(painted), boundary))),
+                    _ => self.surfaced(painted, boundary, None),
                 },
+            },
+            Work::Resurfacing(mut job) => match job.step(&self.known, may_go_on) {
+                Resurfaced::Open => Work::Resurfacing(job),
+                Resurfaced::Unlike => self.meshing(self.tolerance()),
+                Resurfaced::Done(done) => {
+                    let (painted, boundary, renewal) = *done;
+                    self.surfaced(painted, boundary, Some(renewal))
+                }
             },
             Work::Skinning(mut job) => match job.step(may_go_on) {
                 None => Work::Skinning(job),
@@ -256,8 +269,12 @@ impl BodyJob {
                 Ok(job) => Work::Cutting(Box::new(job)),
                 Err(_) => Work::Done(None),
             },
-            BodyAsk::Surface { tolerance } | BodyAsk::File { format: BodyFormat::Surface(_), tolerance } => {
-                self.meshing(tolerance.unwrap_or(TOLERANCE * known.size()))
+            BodyAsk::Surface { tolerance, since: Some(since) } => {
+                let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance);
+                job.map_or_else(|| self.meshing(self.tolerance()), |job| Work::Resurfacing(Box::new(job)))
+            }
+            BodyAsk::Surface { .. } | BodyAsk::File { format: BodyFormat::Surface(_), .. } => {
+                self.meshing(self.tolerance())
             }
             BodyAsk::File { format: BodyFormat::Vtk, .. } => {
                 Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
@@ -306,6 +323,22 @@ impl BodyJob {
             BodyAsk::Summary => Some(true),
             _ => None,
         }
+    }
+
+    /// The chord tolerance of a surface.
+    fn tolerance(&self) -> f64 {
+        let asked = match self.ask {
+            BodyAsk::Surface { tolerance, .. } | BodyAsk::File { tolerance, .. } => tolerance,
+            _ => None,
+        };
+        asked.unwrap_or(TOLERANCE * self.known.size())
+    }
+
+    /// The answer with a surface, which is remembered.
+    fn surfaced(&self, painted: Painted, boundary: Boundary, renewal: Option<Renewal>) -> Work {
+        let BodyAsk::Surface { tolerance, .. } = self.ask else { return Work::Done(None) };
+        let kept = self.known.surfaces.borrow_mut().keep(&self.known, (painted, boundary), tolerance);
+        Work::Done(kept.map(|surface| Answer::Surface(surface, renewal)))
     }
 
     fn meshing(&self, tolerance: f64) -> Work {
@@ -450,8 +483,9 @@ mod tests {
     fn surfaces_carry_material_and_curves() {
         let mut memory = BodyMemory::default();
         let known = known(&mut memory, &text(0.0));
-        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None });
-        let Some(Answer::Surface(painted, boundary)) = job.run() else { panic!("a surface was asked for") };
+        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, since: None });
+        let Some(Answer::Surface(surface, None)) = job.run() else { panic!("a surface was asked for") };
+        let (painted, boundary) = (&surface.painted, &surface.boundary);
         for (vertex, point) in painted.positions.iter().enumerate() {
             let t = painted.parameters[vertex].x;
             assert!((point.x - (f64::from(painted.cells[vertex]) + t)).abs() < 1e-12);

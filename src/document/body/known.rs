@@ -1,6 +1,7 @@
 //! A hyperpatch document with its body made, and what was found about it.
 
 use super::super::HyperpatchModel;
+use super::resurface::Surfaces;
 use crate::hyperpatch::composite::{Body, CellId, Probe, Relation, Sharing};
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Cell, Jacobian};
@@ -69,6 +70,8 @@ pub struct KnownBody {
     pub(super) old_sharing: RefCell<Option<Old<Sharing>>>,
     /// How cells of an earlier body lay to each other, while it is not known of this one.
     pub(super) old_relations: RefCell<Option<Old<Relations>>>,
+    /// The surfaces that were made last, of this body or of others.
+    pub(super) surfaces: Rc<RefCell<Surfaces>>,
 }
 
 impl<T> Clone for Old<T> {
@@ -121,6 +124,7 @@ impl KnownBody {
             judged: RefCell::new(judged),
             old_sharing: RefCell::new(old_sharing),
             old_relations: RefCell::new(old_relations),
+            surfaces: before.map_or_else(Rc::default, |before| Rc::clone(&before.surfaces)),
         }
     }
 

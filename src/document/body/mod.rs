@@ -9,6 +9,7 @@ mod job;
 mod known;
 mod memory;
 mod paint;
+mod resurface;
 mod summary;
 
 pub use answer::{Answer, CellRow, Parts, Sample, SharedParts};
@@ -17,4 +18,5 @@ pub use job::BodyJob;
 pub use known::{Held, KnownBody};
 pub use memory::{BodyMemory, DocumentKey};
 pub use paint::{Boundary, Painted, Stretch};
+pub use resurface::{KnownSurface, Renewal};
 pub use summary::Summary;

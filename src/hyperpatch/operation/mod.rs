@@ -8,20 +8,32 @@
 //! (section 3.5 of the paper, Figs. 7 and 8).
 
 mod change;
+mod continuity;
 mod copy;
 mod delete;
 mod draft;
+mod extrude;
+mod material;
 mod mix;
 mod moving;
 mod nearest;
+mod neighbourhood;
+#[cfg(test)]
+mod properties;
+mod slope;
 mod star;
 mod subdivide;
 #[cfg(test)]
 mod test_bodies;
 
 pub use change::{Change, OperationError};
+pub use continuity::set_continuity;
 pub use copy::{copy, mirror, reorient};
 pub use delete::delete;
+pub use extrude::{Extrusion, Normals, Start, extrude};
+pub use material::pair;
 pub use mix::{mix_cells, mix_coefficient, mix_corner};
 pub use moving::{Reach, move_coefficient, moves};
+pub use neighbourhood::{JointState, Neighbour, Neighbourhood, neighbourhood};
+pub use slope::{Slope, slope};
 pub use subdivide::subdivide;

@@ -118,10 +118,13 @@ impl<'a> Star<'a> {
         Side { cell, corner, axis }
     }
 
-    /// The joint at a side.
-    pub(super) fn joint_at(&self, place: usize, axis: Axis) -> Option<&Joint> {
-        let is_here = |n: usize, joint: &Joint| (joint.sides[n], joint.axes[n]) == (place, axis);
-        self.joints.iter().find(|joint| is_here(0, joint) || is_here(1, joint))
+    /// What a side has on its other side, as a mark that says nothing.
+    pub(super) fn mark_at(&self, place: usize, axis: Axis) -> Option<Mark> {
+        let end =
+            |joint: &Joint| [0, 1].into_iter().find(|n| (joint.sides[*n], joint.axes[*n]) == (place, axis));
+        let (joint, n) = self.joints.iter().find_map(|joint| Some((joint, end(joint)?)))?;
+        let other = self.side(joint.sides[1 - n], joint.axes[1 - n]);
+        Some(Mark { other, is_swapped: joint.is_swapped, shape: None, material: None })
     }
 
     /// Position of a coefficient.
@@ -202,10 +205,15 @@ impl<'a> Star<'a> {
 
     /// What is one and what must run on.
     pub(super) fn weave(&self, kind: Kind, tolerance: f64) -> Weave {
+        self.weave_from(kind, tolerance, 0)
+    }
+
+    /// The same, with the grid of one of its cells laid out along the axes of that cell.
+    pub(super) fn weave_from(&self, kind: Kind, tolerance: f64, first: usize) -> Weave {
         let is_loose = self.joints.iter().any(|joint| joint.holds[Kind::Shape as usize] == Match::None);
         // Material runs through faces that coincide, whether or not their shapes were let go.
         let holds = |joint: &Joint| kind == Kind::Material || joint.holds[0] != Match::None;
-        let (frames, is_regular) = self.frames(&holds);
+        let (frames, is_regular) = self.frames(&holds, first);
         let mut class: Vec<usize> = (0..self.cells.len() * 8).collect();
         let mut unite = |a: usize, b: usize| {
             let (a, b) = (class[a], class[b]);
@@ -221,8 +229,8 @@ impl<'a> Star<'a> {
         if kind == Kind::Shape && !is_loose {
             for first in 0..self.cells.len() {
                 for second in first + 1..self.cells.len() {
-                    unite(first * 8, second * 8);
-                    for (a, b) in (0..9).map(|n| (first * 8 + (1 << (n / 3)), second * 8 + (1 << (n % 3)))) {
+                    let edges = (0..9).map(|n| (first * 8 + (1 << (n / 3)), second * 8 + (1 << (n % 3))));
+                    for (a, b) in std::iter::once((first * 8, second * 8)).chain(edges) {
                         if self.position(a).distance(self.position(b)) <= tolerance {
                             unite(a, b);
                         }
@@ -259,10 +267,10 @@ impl<'a> Star<'a> {
     }
 
     /// Lays the cells out in a grid from face to face; where they do not fit, the part is irregular.
-    fn frames(&self, holds: &dyn Fn(&Joint) -> bool) -> (Vec<Frame>, Vec<bool>) {
+    fn frames(&self, holds: &dyn Fn(&Joint) -> bool, first: usize) -> (Vec<Frame>, Vec<bool>) {
         let mut frames: Vec<Option<Frame>> = vec![None; self.cells.len()];
         let mut is_regular: Vec<bool> = Vec::new();
-        for start in 0..self.cells.len() {
+        for start in std::iter::once(first).chain(0..self.cells.len()) {
             if frames[start].is_some() {
                 continue;
             }
@@ -323,17 +331,21 @@ impl Frame {
         offset
     }
 
-    /// The axis of the grid along which an axis of the cell lies.
-    pub(super) fn axis(&self, axis: Axis) -> usize {
-        self.axes[axis as usize]
+    /// The axis of the cell that lies along an axis of the grid.
+    pub(super) fn local(&self, axis: usize) -> Option<usize> {
+        self.axes.iter().position(|other| *other == axis)
     }
 }
 
 impl Weave {
-    /// The places that move together with one: all, or where sides were let go, those that faces hold together.
+    /// The places that move together with one: all at its point, or where sides were let go, those that faces hold
+    /// together.
     pub(super) fn together(&self, place: usize) -> Vec<usize> {
-        let part = self.frames[place].part;
-        (0..self.frames.len()).filter(|n| !self.is_loose || self.frames[*n].part == part).collect()
+        let is_with = |n: &usize| match self.is_loose {
+            true => self.frames[*n].part == self.frames[place].part,
+            false => self.class[*n * 8] == self.class[place * 8],
+        };
+        (0..self.frames.len()).filter(is_with).collect()
     }
 
     /// What moves when the class of a coefficient is moved, with its share: by the repaired rule all that must for the
