@@ -37,6 +37,7 @@ const QUESTIONS = {
   file: (options) => ({ options }),
   moves: (cell, at, reach = "block") => ({ cell, at, reach }),
   cellsDocument: () => ({}),
+  coefficients: () => ({}),
 };
 
 /**
@@ -58,6 +59,9 @@ export function methods(ask) {
  */
 export const inNames = (question, args) => QUESTIONS[question](...args);
 
+/** What the module knows under another name. @type {Partial<Record<Asked, string>>} */
+const SAME = { volume: "amounts", coefficients: "cellsDocument" };
+
 /**
  * A question under way.
  *
@@ -67,7 +71,7 @@ export const inNames = (question, args) => QUESTIONS[question](...args);
  * @param {object} rest
  */
 export function asking(engine, { head, keys, apart, write, known }, question, rest) {
-  const name = question === "volume" ? "amounts" : question;
+  const name = SAME[question] ?? question;
   const asked = engine.hyperpatch(head, keys, apart, name, toText(rest));
   for (const place of asked.missing()) {
     const { text, cells, count = 0 } = write(place);
@@ -96,6 +100,7 @@ const NAMED = {
   body: (raw, rest) => ({ cells: NAMED.cells(raw, rest), operations: operations(raw) }),
   moves: ({ moves }) => rows(moves, 3).map(([cell, at, share]) => ({ cell, at: [at >> 4, (at >> 2) & 3, at & 3], share })),
   cellsDocument,
+  coefficients: ({ positions, mixes }) => ({ positions, mixes }),
   sample: ({ position, mix }) => ({ position, mix }),
   probe: (found) => found && { cell: found.cell, uvw: found.uvw, mix: found.mix },
   verdicts: ({ verdicts }) => rows(verdicts, 17).map(verdict),
