@@ -36,6 +36,8 @@ const QUESTIONS = {
   grid: (cell, counts) => ({ cell, counts }),
   file: (options) => ({ options }),
   moves: (cell, at, reach = "block") => ({ cell, at, reach }),
+  neighbourhood: (cell, corner) => ({ cell, corner }),
+  checks: (operation) => ({ operation }),
   cellsDocument: () => ({}),
   coefficients: () => ({}),
 };
@@ -99,6 +101,8 @@ const NAMED = {
     })),
   body: (raw, rest) => ({ cells: NAMED.cells(raw, rest), operations: operations(raw) }),
   moves: ({ moves }) => rows(moves, 3).map(([cell, at, share]) => ({ cell, at: [at >> 4, (at >> 2) & 3, at & 3], share })),
+  neighbourhood,
+  checks,
   cellsDocument,
   coefficients: ({ positions, mixes }) => ({ positions, mixes }),
   sample: ({ position, mix }) => ({ position, mix }),
@@ -222,6 +226,70 @@ function operations({ operations, operationCells, reasons }) {
     made: take(made),
     removed: take(removed),
   }));
+}
+
+/** What there is round a corner. @param {any} raw */
+function neighbourhood({ cells, regular, points, mixes, users, joints }) {
+  let user = 0;
+  const list = rows(points, 9);
+  const count = mixes.length / Math.max(1, list.length);
+  const place = (/** @type {number} */ cell, /** @type {number} */ number, /** @type {number} */ at) => ({ ...face(cell, number), corner: bits(at, 3) });
+  return {
+    cells: rows(cells, 2).map(([cell, number]) => corner(cell, number)),
+    regular,
+    points: list.map(([known, a, b, c, x, y, z, jumps, length], n) => ({
+      offset: known ? [a, b, c] : null,
+      position: [x, y, z],
+      mix: Array.from(mixes.subarray(count * n, count * (n + 1))),
+      jumps: jumps === 1,
+      users: Array.from({ length }, () => {
+        user += 2;
+        const at = users[user - 1];
+        return { cell: users[user - 2], at: [at >> 4, (at >> 2) & 3, at & 3] };
+      }),
+    })),
+    joints: rows(joints, 10).map(([a, first, p, b, second, q, shape, material, shapeMarked, materialMarked]) => ({
+      sides: [place(a, first, p), place(b, second, q)],
+      shape: CONTINUITY[shape],
+      material: CONTINUITY[material],
+      shapeMarked: shapeMarked === 1,
+      materialMarked: materialMarked === 1,
+    })),
+  };
+}
+
+/** The three checks of added cells, with what they say. @param {any} raw */
+function checks(raw) {
+  const cells = Array.from(raw.cells);
+  const verdicts = rows(raw.verdicts, 17).map(verdict);
+  const pairs = rows(raw.relations, 15).map(relation);
+  const [faces, corners, shape, material] = raw.counts;
+  const number = (/** @type {number} */ count, /** @type {string} */ one) => `${count} ${one}${count === 1 ? "" : "s"}`;
+  const is = (/** @type {{ verdict: string, mirrored: boolean }} */ { verdict, mirrored }) => (mirrored ? `${verdict} and mirrored` : verdict);
+  const named = verdicts.map((one) => `cell ${one.cell} is ${is(one)}`);
+  const SAYS = /** @type {Record<string, string>} */ ({ overlaps: "overlap", touches: "touch besides what they share", "not-proven": "may meet: nothing was proven" });
+  const met = pairs.map((pair) => `cells ${pair.cells.join(" and ")} ${SAYS[pair.relation]}`);
+  const none = "the operation made no cells that are still there";
+  return {
+    cells,
+    injective: {
+      ok: verdicts.length === 0,
+      verdicts,
+      message: cells.length === 0 ? none : named.join("; ") || `${number(cells.length, "cell")}, proven to meet themselves nowhere`,
+    },
+    meetings: {
+      ok: pairs.length === 0,
+      pairs,
+      message: cells.length === 0 ? none : met.join("; ") || "the cells meet others only in corners, edges and faces that they share",
+    },
+    continuity: {
+      faces,
+      corners,
+      shape,
+      material,
+      message: faces === 0 ? "no face is shared" : `of ${number(corners, "corner")} of ${number(faces, "shared face")} ${shape} run on in shape and ${material} in material`,
+    },
+  };
 }
 
 /** A document with one operation that writes all cells out. @param {any} raw */

@@ -131,7 +131,7 @@ export type HyperpatchOperation = { id?: number } & (
   | { op: "copy"; cells: number[]; by: Triple }
   | { op: "mirror"; cells: number[]; normal: Triple; offset?: number; keep?: boolean }
   | { op: "reorient"; cells: number[] }
-  | { op: "extrude"; faces: { cell: number; face: FaceName }[]; by: number; start?: "C1" | "free"; mix?: number[] }
+  | { op: "extrude"; faces: { cell: number; face: FaceName }[]; by: number; start?: "C1" | "free"; normals?: "mean" | "surface"; mix?: number[] }
   | { op: "subdivide"; cell: number; axis: "u" | "v" | "w"; at?: number }
 );
 
@@ -824,6 +824,45 @@ export interface CellGrid {
   fractions: Float32Array[];
 }
 
+/** The cells and coefficients round a corner. */
+export interface CornerNeighbourhood {
+  /** Every cell at the point, each with the corner that lies there. */
+  cells: { cell: number; corner: number[] }[];
+  /** Whether the cells lie in a grid of two by two by two, which may have gaps; else the corner is a crease. */
+  regular: boolean;
+  /** The coefficients of the blocks there, equal ones once, the corner among them: up to 27 where eight cells meet. */
+  points: {
+    /** Along the axes of the cell that was asked about, -1, 0 or 1 each, towards the end of the axis positive; null where there is no grid. */
+    offset: Triple | null;
+    position: Triple;
+    mix: number[];
+    /** Whether some cells have another mix there. */
+    jumps: boolean;
+    /** The cells that have it, each with its place. */
+    users: { cell: number; at: Triple }[];
+  }[];
+  /** The faces between cells at the corner: what holds there, or what is marked. */
+  joints: {
+    sides: { cell: number; face: FaceName; corner: number[] }[];
+    shape: MarkName;
+    material: MarkName;
+    shapeMarked: boolean;
+    materialMarked: boolean;
+  }[];
+}
+
+/** What is to be known of cells that an operation made, each with a message in words. */
+export interface AdditionChecks {
+  /** Those that are still there. */
+  cells: number[];
+  /** Whether each is proven to meet itself nowhere and is the right way round; `verdicts` has those that are not. */
+  injective: { ok: boolean; verdicts: CellVerdict[]; message: string };
+  /** Whether they are proven to meet others only in corners, edges and faces; `pairs` has those that are not. */
+  meetings: { ok: boolean; pairs: CellRelation[]; message: string };
+  /** At how many corners of the faces that they share the shape, and the material, run on. */
+  continuity: { faces: number; corners: number; shape: number; material: number; message: string };
+}
+
 /** A body of hyperpatches. All methods throw `DirectrixError`. */
 export interface Hyperpatch {
   readonly cells: CellSummary[];
@@ -831,6 +870,10 @@ export interface Hyperpatch {
   readonly operations: OperationResult[];
   /** What would move with a coefficient, itself among them, each with its share of the displacement. */
   moves(cell: number, at: Triple, reach?: Reach): { cell: number; at: Triple; share: number }[];
+  /** The cells and coefficients round a corner: what a person who edits it sees. */
+  neighbourhood(cell: number, corner: Triple): CornerNeighbourhood;
+  /** The three checks of the cells that an operation made, in the body as it is. */
+  checks(operation: number): AdditionChecks;
   /** The body as a document with one operation, which writes all cells out; their numbers begin anew. */
   cellsDocument(): HyperpatchDocument;
   /** The coefficients of all cells, in their order and that of the format: three numbers each, and one number for each material. */

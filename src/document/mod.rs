@@ -45,8 +45,8 @@ mod work;
 pub use amounts::{BandAmounts, amounts};
 #[cfg(feature = "hyperpatch")]
 pub use body::{
-    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, DocumentKey, Held, KnownBody,
-    KnownSurface, Painted, Parts, Renewal, Sample, SharedParts, Stretch, Summary,
+    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, Checks, DocumentKey, Held,
+    KnownBody, KnownSurface, Painted, Parts, Renewal, Sample, SharedParts, Stretch, Summary,
 };
 pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
@@ -54,9 +54,9 @@ pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
 #[cfg(feature = "hyperpatch")]
 pub use hyperpatch::{
-    Action, CellSpec, ExtrusionStart, FaceSpec, HyperpatchDocument, HyperpatchHead, HyperpatchKind,
-    HyperpatchModel, MarkLevel, MixTarget, Operation, OperationReading, OperationRow, Replay, SlopeRule,
-    Stage, check_cells, check_operations, read_hyperpatch,
+    Action, CellSpec, FaceSpec, HyperpatchDocument, HyperpatchHead, HyperpatchKind, HyperpatchModel,
+    MixTarget, Operation, OperationReading, OperationRow, Replay, Stage, check_cells, check_operations,
+    read_hyperpatch,
 };
 #[cfg(feature = "edit")]
 pub use insert_point::insert_point;

@@ -9,10 +9,12 @@ use super::json::parse;
 use super::reading::Reading;
 use super::results::to_value;
 use crate::document::{
-    Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, DocumentError, DocumentKey, HyperpatchModel,
-    KnownBody, Painted, Parts, Renewal, Replay, Sample, SharedParts, Stage, Stretch, Summary,
+    Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, Checks, DocumentError, DocumentKey,
+    HyperpatchModel, KnownBody, Painted, Parts, Renewal, Replay, Sample, SharedParts, Stage, Stretch,
+    Summary,
 };
 use crate::hyperpatch::composite::{CellId, Contact, FaceContinuity, Matching, Relation};
+use crate::hyperpatch::operation::{JointState, Neighbour, Neighbourhood};
 use crate::hyperpatch::validity::{Report, Witness};
 use crate::hyperpatch::{Axis, Corner, Edge, Face};
 use glam::DVec3;
@@ -150,6 +152,8 @@ impl Asking {
                 bag.doubles("moves", &rows.collect::<Vec<_>>())?;
             }
             Answer::CellsDocument => written(&bag, known.model())?,
+            Answer::Neighbourhood(found) => around(&bag, found)?,
+            Answer::Checks(checks) => checked(&bag, known, checks)?,
             Answer::Sample(sample) => return found(sample),
             Answer::Probe(sample) => return sample.as_ref().map_or(Ok(JsValue::NULL), found),
             Answer::Verdicts(reports) => verdicts(&bag, known, reports)?,
@@ -243,6 +247,40 @@ fn operations(bag: &Bag, stages: &[Rc<Stage>]) -> Result<(), JsValue> {
     bag.counts("operations", &rows)?;
     bag.counts("operationCells", &ids)?;
     bag.set("reasons", reasons.into())
+}
+
+/// The cells with their corners; whether they lie in a grid; of each point whether its offset is known, that, whether materials jump there and how many
+/// coefficients it is, with the cells and places of these one after the other; and the joints.
+fn around(bag: &Bag, found: &Neighbourhood) -> Result<(), JsValue> {
+    let cells = found.cells.iter().flat_map(|(id, corner)| [id.0, corner_number(*corner)]);
+    bag.counts("cells", &cells.collect::<Vec<_>>())?;
+    bag.set("regular", found.is_regular.into())?;
+    let point = |point: &Neighbour| {
+        let [a, b, c] = point.offset.unwrap_or_default().map(f64::from);
+        let [x, y, z] = point.position.to_array();
+        let flags = [point.offset.is_some(), point.jumps].map(|flag| f64::from(u8::from(flag)));
+        [flags[0], a, b, c, x, y, z, flags[1], point.users.len() as f64]
+    };
+    bag.doubles("points", &found.points.iter().flat_map(point).collect::<Vec<_>>())?;
+    let mixes = found.points.iter().flat_map(|point| point.mix.fractions());
+    bag.doubles("mixes", &mixes.copied().collect::<Vec<_>>())?;
+    let users = found.points.iter().flat_map(|point| &point.users);
+    bag.counts("users", &users.flat_map(|(id, at)| [id.0, *at as u32]).collect::<Vec<_>>())?;
+    let joint = |joint: &JointState| {
+        let [a, b] =
+            joint.sides.map(|side| [side.cell.0, face_number(side.face()), corner_number(side.corner)]);
+        let marks = [joint.is_shape_marked, joint.is_material_marked].map(u32::from);
+        [a[0], a[1], a[2], b[0], b[1], b[2], joint.shape as u32, joint.material as u32, marks[0], marks[1]]
+    };
+    bag.counts("joints", &found.joints.iter().flat_map(joint).collect::<Vec<_>>())
+}
+
+fn checked(bag: &Bag, known: &KnownBody, checks: &Checks) -> Result<(), JsValue> {
+    bag.counts("cells", &checks.cells.iter().map(|id| id.0).collect::<Vec<_>>())?;
+    verdicts(bag, known, &checks.doubtful)?;
+    bag.doubles("relations", &related(&checks.meetings))?;
+    let counts = [checks.faces, checks.corners, checks.smooth_shape, checks.smooth_material];
+    bag.counts("counts", &counts.map(|count| count as u32))
 }
 
 /// Title, unit and materials, and positions and fractions of all coefficients.

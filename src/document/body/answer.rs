@@ -1,7 +1,8 @@
 //! Answers to questions about a body.
 
-use super::{KnownSurface, Painted, Renewal, Summary};
+use super::{Checks, KnownSurface, Painted, Renewal, Summary};
 use crate::hyperpatch::composite::{Body, CellId, Contact, FaceContinuity, Relation, Sharing};
+use crate::hyperpatch::operation::Neighbourhood;
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Corner, Edge, Face, Grid};
 use glam::DVec3;
@@ -14,6 +15,10 @@ pub enum Answer {
     Cells(Vec<CellRow>),
     /// What would move: cells, places in their lists of 64, and shares of the displacement.
     Moves(Vec<(CellId, usize, f64)>),
+    /// What there is round a corner.
+    Neighbourhood(Box<Neighbourhood>),
+    /// The checks of the cells that an operation made.
+    Checks(Box<Checks>),
     /// The cells as they would be written out.
     CellsDocument,
     /// What a cell holds at parameters.

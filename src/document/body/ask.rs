@@ -5,7 +5,7 @@ use super::super::node::Node;
 use super::super::{Code, DocumentError, HyperpatchModel, Json};
 use crate::hyperpatch::composite::CellId;
 use crate::hyperpatch::operation::Reach;
-use crate::hyperpatch::{FINEST_SECTION, LARGEST_COORDINATE, LARGEST_GRID, Plane, flat};
+use crate::hyperpatch::{Corner, FINEST_SECTION, LARGEST_COORDINATE, LARGEST_GRID, Plane, flat};
 use crate::solid::Format;
 use glam::DVec3;
 
@@ -37,6 +37,18 @@ pub enum BodyAsk {
         at: usize,
         /// How far the move reaches.
         reach: Reach,
+    },
+    /// The cells and coefficients round a corner.
+    Neighbourhood {
+        /// A cell with the corner.
+        cell: CellId,
+        /// The corner.
+        corner: Corner,
+    },
+    /// The checks of the cells that an operation made.
+    Checks {
+        /// Its place in the list.
+        place: usize,
     },
     /// The body as a document of one operation.
     CellsDocument,
@@ -113,6 +125,21 @@ impl BodyAsk {
                 let [i, j, k] = names::coefficient(&root.need("at")?)?;
                 let reach = root.get("reach")?.map_or(Ok(Reach::Block), |node| names::reach(&node))?;
                 Self::Moves { cell: cell(&root, model)?, at: flat(i, j, k), reach }
+            }
+            "neighbourhood" => {
+                let corner = names::corner(&root.need("corner")?)?;
+                Self::Neighbourhood { cell: cell(&root, model)?, corner }
+            }
+            "checks" => {
+                let node = root.need("operation")?;
+                let id = node.count()?;
+                let place = model.stages().iter().position(|stage| stage.row().id as usize == id);
+                Self::Checks {
+                    place: place.ok_or_else(|| {
+                        let message = format!("{id} was found; expected the number of an operation");
+                        node.error(Code::Range, message)
+                    })?,
+                }
             }
             "cellsDocument" => Self::CellsDocument,
             "sample" => Self::Sample { cell: cell(&root, model)?, at: triple(&root.need("at")?, 0.0, 1.0)? },

@@ -4,10 +4,11 @@ use super::known::{Difference, Judged, Old, Relations};
 use super::paint::Painter;
 use super::resurface::{Resurfaced, Resurfacing};
 use super::{
-    Answer, BodyAsk, BodyFormat, Boundary, CellRow, Held, KnownBody, Painted, Parts, Renewal, Sample, Summary,
+    Answer, BodyAsk, BodyFormat, Boundary, CellRow, Checks, Held, KnownBody, Painted, Parts, Renewal, Sample,
+    Summary,
 };
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Relation, Sharing, Verdicts};
-use crate::hyperpatch::operation::moves;
+use crate::hyperpatch::operation::{moves, neighbourhood};
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Grid, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
@@ -241,14 +242,13 @@ impl BodyJob {
         if let Some(is_global) = self.is_judged_globally() {
             let judged = known.judged.borrow();
             let is_known = |id: &CellId| judged.get(id).is_some_and(|found| found.is_final || !is_global);
-            let open: Vec<CellId> =
-                body.cells().iter().map(|(id, _)| *id).filter(|id| !is_known(id)).collect();
+            let open: Vec<CellId> = self.judged().into_iter().filter(|id| !is_known(id)).collect();
             if !open.is_empty() {
                 return Work::Judging(Box::new(Verdicts::new(body, open, is_global)), is_global);
             }
         }
         let is_summary = matches!(ask, BodyAsk::Summary);
-        let is_paired = is_summary || matches!(ask, BodyAsk::Relations);
+        let is_paired = is_summary || matches!(ask, BodyAsk::Relations | BodyAsk::Checks { .. });
         let is_joined = matches!(
             ask,
             BodyAsk::Surface { .. }
@@ -320,8 +320,21 @@ impl BodyJob {
         match self.ask {
             BodyAsk::Cells => Some(false),
             BodyAsk::Verdicts { is_global } => Some(is_global),
-            BodyAsk::Summary => Some(true),
+            BodyAsk::Summary | BodyAsk::Checks { .. } => Some(true),
             _ => None,
+        }
+    }
+
+    /// The cells on whose verdicts the question rests.
+    fn judged(&self) -> Vec<CellId> {
+        let model = self.known.model();
+        let is_there = |id: &CellId| model.body().cell(*id).is_some();
+        match self.ask {
+            BodyAsk::Checks { place } => {
+                let made = model.stages().get(place).map_or(&[][..], |stage| &stage.row().made);
+                made.iter().copied().filter(is_there).collect()
+            }
+            _ => model.body().cells().iter().map(|(id, _)| *id).collect(),
         }
     }
 
@@ -353,6 +366,14 @@ impl BodyJob {
         let body = known.model().body();
         Some(match self.ask {
             BodyAsk::Moves { cell, at, reach } => Answer::Moves(moves(body, cell, at, reach).ok()?),
+            BodyAsk::Neighbourhood { cell, corner } => {
+                Answer::Neighbourhood(Box::new(neighbourhood(body, cell, corner).ok()?))
+            }
+            BodyAsk::Checks { place } => {
+                let (sharing, relations) = known.sharing.get().zip(known.relations.get())?;
+                let made = &known.model().stages().get(place)?.row().made;
+                Answer::Checks(Box::new(Checks::new(body, sharing, made, &self.reports(), relations)))
+            }
             BodyAsk::CellsDocument => Answer::CellsDocument,
             BodyAsk::Sample { cell, at } => Answer::Sample(Sample::new(body, cell, at)?),
             BodyAsk::Verdicts { .. } => Answer::Verdicts(self.reports()),

@@ -5,6 +5,7 @@
 
 mod answer;
 mod ask;
+mod checks;
 mod job;
 mod known;
 mod memory;
@@ -14,6 +15,7 @@ mod summary;
 
 pub use answer::{Answer, CellRow, Parts, Sample, SharedParts};
 pub use ask::{BodyAsk, BodyFormat};
+pub use checks::Checks;
 pub use job::BodyJob;
 pub use known::{Held, KnownBody};
 pub use memory::{BodyMemory, DocumentKey};

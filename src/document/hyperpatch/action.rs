@@ -3,12 +3,12 @@
 use super::super::node::Node;
 use super::super::{Code, DocumentError, Json};
 use super::cells::CellSpec;
-use super::construct::{self, ExtrusionStart, FaceSpec};
-use super::edit::{self, MarkLevel};
-use super::material::{self, MixTarget, SlopeRule};
+use super::construct::{self, FaceSpec};
+use super::edit;
+use super::material::{self, MixTarget};
 use super::names::{self, LARGEST_ID};
-use crate::hyperpatch::composite::{CellId, MOST_CELLS};
-use crate::hyperpatch::operation::Reach;
+use crate::hyperpatch::composite::{CellId, MOST_CELLS, Match};
+use crate::hyperpatch::operation::{Normals, Reach, Slope, Start};
 use crate::hyperpatch::{Axis, Corner, Face};
 use crate::material::Composition;
 use serde::{Serialize, Serializer};
@@ -47,11 +47,11 @@ pub enum Action {
         #[serde(skip_serializing_if = "Option::is_none", serialize_with = "names::write_some_corner")]
         corner: Option<Corner>,
         /// In shape; without it as before.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        shape: Option<MarkLevel>,
+        #[serde(skip_serializing_if = "Option::is_none", serialize_with = "names::write_some_match")]
+        shape: Option<Match>,
         /// In material; without it as before.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        material: Option<MarkLevel>,
+        #[serde(skip_serializing_if = "Option::is_none", serialize_with = "names::write_some_match")]
+        material: Option<Match>,
     },
     /// Gives coefficients a mix.
     Mix {
@@ -71,7 +71,8 @@ pub enum Action {
         #[serde(serialize_with = "names::write_corner")]
         corner: Corner,
         /// How.
-        rule: SlopeRule,
+        #[serde(serialize_with = "names::write_slope")]
+        rule: Slope,
     },
     /// Takes cells out.
     Delete {
@@ -112,7 +113,11 @@ pub enum Action {
         /// Length along the normals.
         by: f64,
         /// How it begins.
-        start: ExtrusionStart,
+        #[serde(serialize_with = "names::write_start")]
+        start: Start,
+        /// Along which normals.
+        #[serde(serialize_with = "names::write_normals")]
+        normals: Normals,
         /// The mix of the new cells; without it that of the faces goes on.
         #[serde(skip_serializing_if = "Option::is_none", serialize_with = "write_some_mix")]
         mix: Option<Composition>,

@@ -5,7 +5,7 @@ use super::material::MixTarget;
 use super::names::CELLS_EACH;
 use crate::hyperpatch::composite::{Body, BodyError, CellId, MOST_CELLS};
 use crate::hyperpatch::flat;
-use crate::hyperpatch::operation::{self, Change, OperationError};
+use crate::hyperpatch::operation::{self, Change, Extrusion, OperationError};
 use glam::DVec3;
 
 /// Carries out an operation. Cells that it makes get numbers from ten thousand times its own on.
@@ -46,8 +46,14 @@ pub(super) fn apply(body: &mut Body, id: u32, action: &Action) -> Result<Change,
         }
         Action::Reorient { cells } => operation::reorient(body, cells),
         Action::Subdivide { cell, axis, at } => operation::subdivide(body, *cell, *axis, *at, first),
-        Action::Continuity { .. } | Action::Slope { .. } | Action::Extrude { .. } => {
-            Err(OperationError::NoCells)
+        Action::Continuity { cell, face, corner, shape, material } => {
+            operation::set_continuity(body, *cell, *face, *corner, *shape, *material)
+        }
+        Action::Slope { cell, corner, rule } => operation::slope(body, *cell, *corner, *rule),
+        Action::Extrude { faces, by, start, normals, mix } => {
+            let faces = faces.iter().map(|side| (side.cell, side.face)).collect();
+            let (by, start, normals, mix) = (*by, *start, *normals, mix.clone());
+            operation::extrude(body, &Extrusion { faces, by, start, normals, mix }, first)
         }
     }
 }

@@ -6,6 +6,7 @@ use super::action::Action;
 use super::cells::mix;
 use super::names::{self, axis, cell, cells, face};
 use crate::hyperpatch::composite::{CellId, MOST_CELLS};
+use crate::hyperpatch::operation::{Normals, Start};
 use crate::hyperpatch::{Face, LARGEST_COORDINATE, Plane};
 use glam::DVec3;
 use serde::Serialize;
@@ -20,17 +21,6 @@ pub struct FaceSpec {
     /// Its face.
     #[serde(serialize_with = "names::write_face")]
     pub face: Face,
-}
-
-/// How an extrusion begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-pub enum ExtrusionStart {
-    /// With the slope of the cell behind the face.
-    C1,
-    /// Straight along the normal.
-    #[default]
-    #[serde(rename = "free")]
-    Free,
 }
 
 /// Reads what belongs to `delete`.
@@ -66,7 +56,7 @@ pub(super) fn reoriented(node: &Node<'_>) -> Result<Action, DocumentError> {
 
 /// Reads what belongs to `extrude`.
 pub(super) fn extruded(node: &Node<'_>, materials: usize) -> Result<Action, DocumentError> {
-    node.only(&["op", "id", "faces", "by", "start", "mix"])?;
+    node.only(&["op", "id", "faces", "by", "start", "normals", "mix"])?;
     let list = node.need("faces")?;
     let items = list.items()?;
     list.check_count(items.len(), " faces", 1..=MOST_CELLS)?;
@@ -86,10 +76,12 @@ pub(super) fn extruded(node: &Node<'_>, materials: usize) -> Result<Action, Docu
         return Err(length.error(Code::Range, "0 was found; expected a length above 0".to_owned()));
     }
     let start = node.get("start")?.map(|node| node.choice(&["C1", "free"])).transpose()?;
+    let normals = node.get("normals")?.map(|node| node.choice(&["mean", "surface"])).transpose()?;
     Ok(Action::Extrude {
         faces,
         by,
-        start: if start == Some(0) { ExtrusionStart::C1 } else { ExtrusionStart::Free },
+        start: if start == Some(0) { Start::C1 } else { Start::Free },
+        normals: if normals == Some(1) { Normals::Surface } else { Normals::Mean },
         mix: node.get("mix")?.map(|node| mix(&node, materials)).transpose()?,
     })
 }

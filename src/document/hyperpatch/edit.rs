@@ -5,20 +5,8 @@ use super::super::{Code, DocumentError};
 use super::action::Action;
 use super::names::{self, cell, coefficient, corner, face};
 use crate::hyperpatch::LARGEST_COORDINATE;
+use crate::hyperpatch::composite::Match;
 use crate::hyperpatch::operation::Reach;
-use serde::Serialize;
-
-/// How two cells are to continue each other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum MarkLevel {
-    /// Nothing is kept.
-    #[serde(rename = "none")]
-    None,
-    /// Common blocks.
-    C0,
-    /// Common blocks, and common slopes across the face.
-    C1,
-}
 
 /// Reads what belongs to `move`.
 pub(super) fn moved(node: &Node<'_>) -> Result<Action, DocumentError> {
@@ -37,7 +25,7 @@ pub(super) fn continued(node: &Node<'_>) -> Result<Action, DocumentError> {
     node.only(&["op", "id", "cell", "face", "corner", "shape", "material"])?;
     let level = |name: &'static str| -> Result<_, DocumentError> {
         let Some(found) = node.get(name)? else { return Ok(None) };
-        let levels = [MarkLevel::None, MarkLevel::C0, MarkLevel::C1];
+        let levels = [Match::None, Match::Block, Match::C1];
         found.choice(&["none", "C0", "C1"]).map(|n| Some(levels[n]))
     };
     let (shape, material) = (level("shape")?, level("material")?);

@@ -7,6 +7,7 @@ use super::cells::mix;
 use super::names::{self, cell, cells, coefficient, corner};
 use crate::hyperpatch::Corner;
 use crate::hyperpatch::composite::CellId;
+use crate::hyperpatch::operation::Slope;
 use serde::Serialize;
 
 /// What gets a mix.
@@ -39,16 +40,6 @@ pub enum MixTarget {
         /// Indices of the coefficient.
         at: [usize; 3],
     },
-}
-
-/// How the material goes on at a corner.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SlopeRule {
-    /// With slope zero, as the paper has it.
-    Flat,
-    /// With the mean slope of both sides, as far as the simplex allows.
-    Natural,
 }
 
 /// Reads what belongs to `mix`.
@@ -86,8 +77,8 @@ pub(super) fn sloped(node: &Node<'_>) -> Result<Action, DocumentError> {
         cell: cell(&node.need("cell")?)?,
         corner: corner(&node.need("corner")?)?,
         rule: match node.need("rule")?.choice(&["flat", "natural"])? {
-            0 => SlopeRule::Flat,
-            _ => SlopeRule::Natural,
+            0 => Slope::Flat,
+            _ => Slope::Natural,
         },
     })
 }

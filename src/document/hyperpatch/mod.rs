@@ -17,12 +17,11 @@ mod stage;
 
 pub use action::{Action, Operation, OperationReading};
 pub use cells::CellSpec;
-pub use construct::{ExtrusionStart, FaceSpec};
+pub use construct::FaceSpec;
 pub use document::{
     HyperpatchDocument, HyperpatchHead, HyperpatchKind, check_cells, check_operations, read_hyperpatch,
 };
-pub use edit::MarkLevel;
-pub use material::{MixTarget, SlopeRule};
+pub use material::MixTarget;
 pub use model::HyperpatchModel;
 pub use replay::Replay;
 pub use stage::{OperationRow, Stage};

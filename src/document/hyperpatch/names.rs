@@ -2,8 +2,8 @@
 
 use super::super::node::Node;
 use super::super::{Code, DocumentError};
-use crate::hyperpatch::composite::{CellId, MOST_CELLS};
-use crate::hyperpatch::operation::Reach;
+use crate::hyperpatch::composite::{CellId, MOST_CELLS, Match};
+use crate::hyperpatch::operation::{Normals, Reach, Slope, Start};
 use crate::hyperpatch::{Axis, Corner, Face};
 use serde::Serializer;
 use serde::ser::SerializeSeq;
@@ -111,6 +111,25 @@ pub(super) fn write_corner<S: Serializer>(corner: &Corner, to: S) -> Result<S::O
 
 pub(super) fn write_reach<S: Serializer>(reach: &Reach, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(if *reach == Reach::Block { "block" } else { "single" })
+}
+
+pub(super) fn write_some_match<S: Serializer>(level: &Option<Match>, to: S) -> Result<S::Ok, S::Error> {
+    match level {
+        Some(level) => to.serialize_str(["none", "C0", "C1"][*level as usize]),
+        None => to.serialize_none(),
+    }
+}
+
+pub(super) fn write_slope<S: Serializer>(rule: &Slope, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(if *rule == Slope::Flat { "flat" } else { "natural" })
+}
+
+pub(super) fn write_start<S: Serializer>(start: &Start, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(if *start == Start::C1 { "C1" } else { "free" })
+}
+
+pub(super) fn write_normals<S: Serializer>(normals: &Normals, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(if *normals == Normals::Mean { "mean" } else { "surface" })
 }
 
 pub(super) fn write_some_corner<S: Serializer>(corner: &Option<Corner>, to: S) -> Result<S::Ok, S::Error> {
