@@ -1,0 +1,32 @@
+/**
+ * The three checks of cells that an operation made, as lines: each with its sign and the module's message.
+ *
+ * @import { AdditionChecks } from "../../../../js/directrix.js"
+ */
+import { h } from "../../dom.js";
+import { sign } from "../verdict.js";
+import { words } from "./words.js";
+
+const said = words.build;
+
+export function checkLines() {
+  const element = h("dl", { class: "check-lines", "data-checks": "", hidden: true });
+  let drawn = "";
+  return {
+    element,
+    /** @param {AdditionChecks | null} checks */
+    render(checks) {
+      element.hidden = !checks;
+      if (!checks) return;
+      const lines = /** @type {const} */ (["injective", "meetings", "continuity"]).map((name) => ({ name, ok: name === "continuity" || checks[name].ok, message: checks[name].message }));
+      const key = JSON.stringify(lines);
+      if (key === drawn) return;
+      drawn = key;
+      element.replaceChildren(
+        ...lines.map(({ name, ok, message }) =>
+          h("div", { class: ok ? "check-line" : "check-line failed", "data-check": name, "data-ok": String(ok) }, h("dt", {}, name === "continuity" ? h("span", { class: "check-dot" }) : /** @type {any} */ (sign(ok ? "regular" : "invalid")), said[name]), h("dd", {}, message)),
+        ),
+      );
+    },
+  };
+}
