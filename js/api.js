@@ -1,6 +1,7 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
-import { packed } from "./operations.js";
+import { merged } from "./merge.js";
+import { packed, valueOf } from "./operations.js";
 import { received } from "./post.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
@@ -113,6 +114,16 @@ export function createApi(engine) {
       end: () => ({ answer: ask(() => work.answer()) }),
     };
   };
+  /** @type {import("./directrix.js").Directrix["hyperpatch"]} */
+  const bodyOf = (document) => {
+    const parts = packed(document);
+    const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
+      const work = body(parts, question, rest);
+      work.step(Infinity);
+      return work.end().answer;
+    };
+    return { ...answer("body", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
+  };
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
@@ -165,15 +176,16 @@ export function createApi(engine) {
     amounts: (document) => ask(() => whole(engine, "amounts").amounts(toText(document))),
     solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
     solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
-    hyperpatch(document) {
-      const parts = packed(document);
-      const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
-        const work = body(parts, question, rest);
-        work.step(Infinity);
-        return work.end().answer;
-      };
-      return { ...answer("body", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
+    hyperpatch: bodyOf,
+    merge(document, other) {
+      const own = /** @type {import("./directrix.js").HyperpatchDocument} */ (valueOf(document));
+      const { materials = [] } = bodyOf({ ...own, operations: [] }).cellsDocument();
+      bodyOf(own);
+      const made = merged(own, materials, bodyOf(other).cellsDocument());
+      bodyOf(made);
+      return made;
     },
+
     job(document, { paint, solid, solidFile, hyperpatch, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       if (hyperpatch) {
         const work = body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {});

@@ -996,6 +996,8 @@ export interface Directrix {
   solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   hyperpatch(document: HyperpatchDocument | string): Hyperpatch;
+  /** A document with the cells of another one after its own operations. Materials of the same name and colour are one, others are appended. */
+  merge(document: HyperpatchDocument | string, other: HyperpatchDocument | string): HyperpatchDocument;
   /**
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
    * these functions; `hyperpatch` is a question about a document of that kind.

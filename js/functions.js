@@ -21,4 +21,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "solid",
   "solidFile",
   "hyperpatch",
+  "merge",
 ]);

@@ -48,7 +48,7 @@ export function countFrom(start) {
  * @throws {DirectrixError} when it is no object, or holds numbers that are not finite
  */
 export function packed(document) {
-  const value = typeof document === "string" ? read(document) : document;
+  const value = valueOf(document);
   if (typeof value !== "object" || value === null || !("operations" in value) || !Array.isArray(value.operations)) {
     return { head: typeof document === "string" ? document : toText(value), keys: new Uint32Array(), apart: false, write };
   }
@@ -56,6 +56,17 @@ export function packed(document) {
   const materials = Array.isArray(rest.materials) ? rest.materials.length : MATERIALS;
   const found = operations.length > MOST_OPERATIONS ? new Uint32Array(operations.length) : Uint32Array.from(operations, (one) => keyOf(one, materials));
   return { head: toText(rest), keys: found, apart: true, write: (place) => written(operations[place], `operations[${place}]`) };
+}
+
+/**
+ * A document as an object.
+ *
+ * @param {unknown} document an object, or its JSON
+ * @returns {unknown}
+ * @throws {DirectrixError} with code `syntax` or `limit`
+ */
+export function valueOf(document) {
+  return typeof document === "string" ? read(document) : document;
 }
 
 /**

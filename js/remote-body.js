@@ -1,7 +1,8 @@
 /** Bodies of hyperpatches over a connection; loaded when the first one is asked for. */
 import { inNames, methods } from "./body.js";
 import { isControl } from "./connect.js";
-import { packed } from "./operations.js";
+import { merged } from "./merge.js";
+import { packed, valueOf } from "./operations.js";
 import { posted } from "./post.js";
 
 /** @typedef {{ call(name: "hyperpatch", args: any[]): Promise<any> }} Client */
@@ -45,4 +46,23 @@ export async function body(client, document, control) {
     return call(question, inNames(question, args.slice(0, args.length - own)), args.slice(args.length - own));
   };
   return { ...found, ...methods(ask) };
+}
+
+/**
+ * A document with the cells of another one.
+ *
+ * @param {Client} client
+ * @param {import("./directrix.js").HyperpatchDocument | string} document
+ * @param {import("./directrix.js").HyperpatchDocument | string} other
+ * @param {import("./directrix.js").Control} [control]
+ * @returns {Promise<import("./directrix.js").HyperpatchDocument>}
+ */
+export async function merge(client, document, other, control) {
+  const own = /** @type {import("./directrix.js").HyperpatchDocument} */ (valueOf(document));
+  const written = async (/** @type {typeof own | string} */ one) => (await body(client, one, control)).cellsDocument(control);
+  const { materials = [] } = await written({ ...own, operations: [] });
+  await body(client, own, control);
+  const made = merged(own, materials, await written(other));
+  await body(client, made, control);
+  return made;
 }

@@ -495,7 +495,12 @@ mod tests {
             };
             assert!(job.step(&mut || true).is_none(), "{name}: nothing more ever after");
             let whole = BodyJob::new(Rc::clone(&known), ask).run().expect("an answer");
-            assert_eq!(format!("{stepped:?}"), format!("{whole:?}"), "{name}");
+            // Surfaces have numbers of their own.
+            let told = |answer: &Answer| match answer {
+                Answer::Surface(surface, None) => format!("{:?}", (&surface.painted, &surface.boundary)),
+                other => format!("{other:?}"),
+            };
+            assert_eq!(told(&stepped), told(&whole), "{name}");
         }
     }
 

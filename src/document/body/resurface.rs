@@ -238,3 +238,137 @@ fn renewed(old: &KnownSurface, body: &Body, sharing: &Sharing) -> HashSet<CellId
     }
     renewed
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Answer, BodyAsk, BodyJob, BodyMemory, DocumentKey};
+    use super::*;
+    use crate::document::{HyperpatchModel, Json, read_hyperpatch};
+    use serde_json::{Value, json};
+    use std::collections::HashMap;
+
+    /// A block of 2 x 2 x 2 cells of two materials; the faces between them are a little bent, so that edges have several segments.
+    fn block() -> Value {
+        let cell = |n: usize| {
+            let coefficient = |at: usize| {
+                let node = [3 * (n / 4) + at / 16, 3 * (n / 2 % 2) + at / 4 % 4, 3 * (n % 2) + at % 4];
+                let [x, y, z] = node.map(|k| k as f64 / 3.0);
+                let bend = 0.2 * (x * 2.0).sin() * (y + z);
+                json!({"position": [x, y + bend, z - bend], "mix": [x / 2.0, 1.0 - x / 2.0]})
+            };
+            json!({"coefficients": (0..64).map(coefficient).collect::<Vec<_>>()})
+        };
+        json!({"op": "cells", "cells": (0..8).map(cell).collect::<Vec<_>>()})
+    }
+
+    fn known(memory: &mut BodyMemory, operations: &[Value]) -> Rc<KnownBody> {
+        let materials = json!([{"name": "a", "color": "#000000"}, {"name": "b", "color": "#ffffff"}]);
+        let value = json!({"directrix": 1, "kind": "hyperpatch", "materials": materials, "operations": operations});
+        let key = DocumentKey { head: value.to_string(), operations: Vec::new() };
+        memory.find(&key).unwrap_or_else(|| {
+            let document = read_hyperpatch(&Json::from(value)).unwrap();
+            let model = HyperpatchModel::after(document, memory.models()).unwrap();
+            memory.keep(key, model)
+        })
+    }
+
+    fn surface(known: &Rc<KnownBody>, since: Option<u32>) -> (Rc<KnownSurface>, Option<Renewal>) {
+        let ask = BodyAsk::Surface { tolerance: Some(0.02), since };
+        match BodyJob::new(Rc::clone(known), ask).run() {
+            Some(Answer::Surface(surface, renewal)) => (surface, renewal),
+            other => panic!("a surface was asked for: {other:?}"),
+        }
+    }
+
+    fn is_watertight(painted: &Painted) -> bool {
+        let bits = |n: u32| painted.positions[n as usize].to_array().map(f64::to_bits);
+        let mut edges: HashMap<_, i32> = HashMap::new();
+        for [a, b, c] in &painted.triangles {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                *edges.entry([bits(*from), bits(*to)]).or_default() += 1;
+            }
+        }
+        edges.iter().all(|([a, b], count)| *count == 1 && edges.get(&[*b, *a]) == Some(&1))
+    }
+
+    fn edit(n: usize) -> Value {
+        let [cell, i, j, k] = [n * 5 % 8, n % 4, n / 4 % 4, n / 3 % 4];
+        match n % 4 {
+            0 => json!({"op": "mix", "mix": [0.25, 0.75], "cells": [cell]}),
+            1 => json!({"op": "move", "cell": cell, "at": [3 * (i / 2), 3 * (j / 2), 3 * (k / 2)], "by": [0.03, -0.02, 0.01]}),
+            _ => json!({"op": "move", "cell": cell, "at": [i, j, k], "by": [0.01, 0.02, -0.02], "reach": "single"}),
+        }
+    }
+
+    /// Whatever is edited, what is renewed lies on the body, has the material of it, and fits what stays without a crack.
+    #[test]
+    fn renewed_surfaces_are_those_of_the_body() {
+        let mut memory = BodyMemory::default();
+        let mut operations = vec![block()];
+        let (mut last, renewal) = surface(&known(&mut memory, &operations), Some(7));
+        assert!(renewal.is_none(), "no such surface");
+        for n in 0..40 {
+            operations.push(edit(n));
+            let body = known(&mut memory, &operations);
+            let (next, renewal) = surface(&body, Some(last.id));
+            let renewal = renewal.expect("the same faces");
+            assert_eq!(renewal.since, last.id);
+            assert!(is_watertight(&next.painted), "edit {n}");
+            for (vertex, point) in next.painted.positions.iter().enumerate() {
+                let id = CellId(next.painted.cells[vertex]);
+                let (cell, at) = (body.model().body().cell(id).unwrap(), next.painted.parameters[vertex]);
+                assert!(cell.point(at).distance(*point) < 1e-12, "edit {n}");
+                let fraction = cell.composition(at).fractions()[0];
+                assert!((fraction - next.painted.fractions[2 * vertex]).abs() < 1e-12, "edit {n}");
+            }
+            for (number, (old, new)) in last.painted.stretches.iter().zip(&next.painted.stretches).enumerate() {
+                assert_eq!((&old.vertices, &old.triangles), (&new.vertices, &new.triangles));
+                if !renewal.stretches.contains(&number) {
+                    let range = old.vertices.clone();
+                    assert_eq!(last.painted.positions[range.clone()], next.painted.positions[range]);
+                }
+            }
+            if n % 4 == 0 {
+                assert!(renewal.edges.is_empty() && renewal.corners.is_empty(), "the shape stays");
+            }
+            last = next;
+        }
+    }
+
+    /// Where faces come or go, or another tolerance is asked for, the whole surface is made.
+    #[test]
+    fn other_faces_make_another_surface() {
+        let mut memory = BodyMemory::default();
+        let mut operations = vec![block()];
+        let (first, _) = surface(&known(&mut memory, &operations), None);
+        operations.push(json!({"op": "delete", "cells": [3]}));
+        let (second, renewal) = surface(&known(&mut memory, &operations), Some(first.id));
+        assert!(renewal.is_none() && second.painted.stretches != first.painted.stretches);
+        let body = known(&mut memory, &operations);
+        let ask = BodyAsk::Surface { tolerance: None, since: Some(second.id) };
+        let Some(Answer::Surface(_, renewal)) = BodyJob::new(body, ask).run() else { panic!("a surface") };
+        assert!(renewal.is_none());
+    }
+
+    /// What is taken over from body to body is what is found out about each alone.
+    #[test]
+    fn what_is_taken_over_is_true() {
+        let mut memory = BodyMemory::default();
+        let mut operations = vec![block()];
+        let answers = |known: &Rc<KnownBody>| {
+            ["verdicts", "relations", "continuity", "sharing", "summary", "cells"].map(|name| {
+                let ask = BodyAsk::read(name, &Json::Object(Vec::new()), known.model()).unwrap();
+                format!("{:?}", BodyJob::new(Rc::clone(known), ask).run())
+            })
+        };
+        answers(&known(&mut memory, &operations));
+        for n in 0..24 {
+            operations.push(if n % 6 == 5 { json!({"op": "delete", "cells": [n / 6 * 2]}) } else { edit(n) });
+            let body = known(&mut memory, &operations);
+            // Not every body is asked, so that what is known is sometimes older than the one before.
+            if n % 3 != 1 {
+                assert_eq!(answers(&body), answers(&known(&mut BodyMemory::default(), &operations)), "{n}");
+            }
+        }
+    }
+}
