@@ -159,6 +159,11 @@ test("the surface encloses the volume, with normals outwards, curves and corners
   assert.ok(surface.corners.every(({ cells, position: [x, y] }) => cells === 2 && [1, 2].some((r) => Math.abs(Math.hypot(x, y) - r) < 1e-6)));
   const [red, green, blue, alpha] = surface.colors.subarray(0, 4);
   assert.ok(alpha === 255 && [red, green, blue].some((part) => part > 0));
+  // Each cell with its own six faces is closed, so that together they enclose the same volume.
+  const whole = ring.surface({ tolerance: 1e-4, faces: "all" });
+  assert.equal(whole.patches.length, 48);
+  assert.deepEqual(whole.patches.slice(0, 32).map(({ cell, face }) => [cell, face]), surface.patches.map(({ cell, face }) => [cell, face]));
+  near(enclosed(whole.positions, whole.indices) / 6, ring.volume(), 2e-3);
 });
 
 test("cells of a body: what they share, how they continue, how they lie", () => {
@@ -222,6 +227,7 @@ test("what is wrong is named by code and path", () => {
   assert.deepEqual(refused(() => cell.section({ normal: [0, 0, 1], offset: 1, point: [0, 0, 0] })), { code: "range", path: "options.offset" });
   assert.deepEqual(refused(() => cell.surface({ tolerance: 0 })), { code: "range", path: "options.tolerance" });
   assert.deepEqual(refused(() => cell.surface(any({ tolerence: 1 }))), { code: "unknown-field", path: "options.tolerence" });
+  assert.deepEqual(refused(() => cell.surface(any({ faces: "inner" }))), { code: "range", path: "options.faces" });
   assert.deepEqual(refused(() => cell.grid(0, [1, 4, 4])), { code: "range", path: "counts[0]" });
   assert.deepEqual(refused(() => cell.grid(0, [512, 512, 512])), { code: "limit", path: "counts" });
   assert.deepEqual(refused(() => cell.file(any({ format: "step" }))), { code: "range", path: "options.format" });

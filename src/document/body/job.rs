@@ -10,7 +10,7 @@ use super::{
 use crate::hyperpatch::composite::{CellId, Pairs, Probe, Relation, Sharing, Verdicts};
 use crate::hyperpatch::operation::{moves, neighbourhood};
 use crate::hyperpatch::validity::Report;
-use crate::hyperpatch::{Grid, Sectioning, Tessellation, VtkJob};
+use crate::hyperpatch::{Face, Grid, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
 use crate::solid::{FileJob, Labels, Mesh, Skin};
 use std::cell::OnceCell;
@@ -195,7 +195,7 @@ impl BodyJob {
             },
             Work::Resurfacing(mut job) => match job.step(&self.known, may_go_on) {
                 Resurfaced::Open => Work::Resurfacing(job),
-                Resurfaced::Unlike => self.meshing(self.tolerance()),
+                Resurfaced::Unlike => self.meshing(self.tolerance(), false),
                 Resurfaced::Done(done) => {
                     let (painted, boundary, renewal) = *done;
                     self.surfaced(painted, boundary, Some(renewal))
@@ -269,13 +269,15 @@ impl BodyJob {
                 Ok(job) => Work::Cutting(Box::new(job)),
                 Err(_) => Work::Done(None),
             },
-            BodyAsk::Surface { tolerance, since: Some(since) } => {
+            BodyAsk::Surface { tolerance, since: Some(since), has_inner: false } => {
                 let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance);
-                job.map_or_else(|| self.meshing(self.tolerance()), |job| Work::Resurfacing(Box::new(job)))
+                job.map_or_else(
+                    || self.meshing(self.tolerance(), false),
+                    |job| Work::Resurfacing(Box::new(job)),
+                )
             }
-            BodyAsk::Surface { .. } | BodyAsk::File { format: BodyFormat::Surface(_), .. } => {
-                self.meshing(self.tolerance())
-            }
+            BodyAsk::Surface { has_inner, .. } => self.meshing(self.tolerance(), has_inner),
+            BodyAsk::File { format: BodyFormat::Surface(_), .. } => self.meshing(self.tolerance(), false),
             BodyAsk::File { format: BodyFormat::Vtk, .. } => {
                 Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
             }
@@ -354,9 +356,16 @@ impl BodyJob {
         Work::Done(kept.map(|surface| Answer::Surface(surface, renewal)))
     }
 
-    fn meshing(&self, tolerance: f64) -> Work {
+    fn meshing(&self, tolerance: f64, has_inner: bool) -> Work {
         let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
-        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), sharing.outer_faces(), tolerance);
+        let mut faces = sharing.outer_faces();
+        if has_inner {
+            let outer: HashSet<_> = faces.iter().copied().collect();
+            let cells = self.known.model().body().cells();
+            let all = cells.iter().flat_map(|(id, _)| Face::all().map(|face| (*id, face)));
+            faces.extend(all.filter(|side| !outer.contains(side)));
+        }
+        let job = Tessellation::new(self.known.held(), Rc::clone(sharing), faces, tolerance);
         job.map_or(Work::Done(None), |job| Work::Meshing(Box::new(job)))
     }
 
@@ -509,7 +518,10 @@ mod tests {
     fn surfaces_carry_material_and_curves() {
         let mut memory = BodyMemory::default();
         let known = known(&mut memory, &text(0.0));
-        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, since: None });
+        let job = BodyJob::new(
+            Rc::clone(&known),
+            BodyAsk::Surface { tolerance: None, since: None, has_inner: false },
+        );
         let Some(Answer::Surface(surface, None)) = job.run() else { panic!("a surface was asked for") };
         let (painted, boundary) = (&surface.painted, &surface.boundary);
         for (vertex, point) in painted.positions.iter().enumerate() {
@@ -523,5 +535,22 @@ mod tests {
         assert_eq!((boundary.edges.len(), boundary.corners.len()), (20, 12));
         let place = boundary.corners.iter().filter(|(.., users, _)| *users == 2).map(|(.., place)| *place);
         assert!(place.map(|place: DVec3| place.x).all(|x| x == 1.0));
+
+        // With the faces between cells, which follow the outer ones, every face of every cell is there, and the curves are the same.
+        let ask = BodyAsk::Surface { tolerance: None, since: Some(surface.id), has_inner: true };
+        let Some(Answer::Surface(all, None)) = BodyJob::new(Rc::clone(&known), ask).run() else {
+            panic!("a surface was asked for")
+        };
+        let (whole, curves) = (&all.painted, &all.boundary);
+        assert_eq!((painted.stretches.len(), whole.stretches.len()), (10, 12));
+        assert!(
+            painted.stretches.iter().zip(&whole.stretches).all(|(a, b)| (a.cell, a.face) == (b.cell, b.face))
+        );
+        assert!(
+            whole.stretches[10..]
+                .iter()
+                .all(|inner| whole.positions[inner.vertices.clone()].iter().all(|p| p.x == 1.0))
+        );
+        assert_eq!((curves.edges.len(), curves.corners.len()), (20, 12));
     }
 }

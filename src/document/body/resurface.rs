@@ -263,7 +263,8 @@ mod tests {
 
     fn known(memory: &mut BodyMemory, operations: &[Value]) -> Rc<KnownBody> {
         let materials = json!([{"name": "a", "color": "#000000"}, {"name": "b", "color": "#ffffff"}]);
-        let value = json!({"directrix": 1, "kind": "hyperpatch", "materials": materials, "operations": operations});
+        let value =
+            json!({"directrix": 1, "kind": "hyperpatch", "materials": materials, "operations": operations});
         let key = DocumentKey { head: value.to_string(), operations: Vec::new() };
         memory.find(&key).unwrap_or_else(|| {
             let document = read_hyperpatch(&Json::from(value)).unwrap();
@@ -273,7 +274,7 @@ mod tests {
     }
 
     fn surface(known: &Rc<KnownBody>, since: Option<u32>) -> (Rc<KnownSurface>, Option<Renewal>) {
-        let ask = BodyAsk::Surface { tolerance: Some(0.02), since };
+        let ask = BodyAsk::Surface { tolerance: Some(0.02), since, has_inner: false };
         match BodyJob::new(Rc::clone(known), ask).run() {
             Some(Answer::Surface(surface, renewal)) => (surface, renewal),
             other => panic!("a surface was asked for: {other:?}"),
@@ -295,8 +296,12 @@ mod tests {
         let [cell, i, j, k] = [n * 5 % 8, n % 4, n / 4 % 4, n / 3 % 4];
         match n % 4 {
             0 => json!({"op": "mix", "mix": [0.25, 0.75], "cells": [cell]}),
-            1 => json!({"op": "move", "cell": cell, "at": [3 * (i / 2), 3 * (j / 2), 3 * (k / 2)], "by": [0.03, -0.02, 0.01]}),
-            _ => json!({"op": "move", "cell": cell, "at": [i, j, k], "by": [0.01, 0.02, -0.02], "reach": "single"}),
+            1 => {
+                json!({"op": "move", "cell": cell, "at": [3 * (i / 2), 3 * (j / 2), 3 * (k / 2)], "by": [0.03, -0.02, 0.01]})
+            }
+            _ => {
+                json!({"op": "move", "cell": cell, "at": [i, j, k], "by": [0.01, 0.02, -0.02], "reach": "single"})
+            }
         }
     }
 
@@ -321,7 +326,8 @@ mod tests {
                 let fraction = cell.composition(at).fractions()[0];
                 assert!((fraction - next.painted.fractions[2 * vertex]).abs() < 1e-12, "edit {n}");
             }
-            for (number, (old, new)) in last.painted.stretches.iter().zip(&next.painted.stretches).enumerate() {
+            for (number, (old, new)) in last.painted.stretches.iter().zip(&next.painted.stretches).enumerate()
+            {
                 assert_eq!((&old.vertices, &old.triangles), (&new.vertices, &new.triangles));
                 if !renewal.stretches.contains(&number) {
                     let range = old.vertices.clone();
@@ -345,7 +351,7 @@ mod tests {
         let (second, renewal) = surface(&known(&mut memory, &operations), Some(first.id));
         assert!(renewal.is_none() && second.painted.stretches != first.painted.stretches);
         let body = known(&mut memory, &operations);
-        let ask = BodyAsk::Surface { tolerance: None, since: Some(second.id) };
+        let ask = BodyAsk::Surface { tolerance: None, since: Some(second.id), has_inner: false };
         let Some(Answer::Surface(_, renewal)) = BodyJob::new(body, ask).run() else { panic!("a surface") };
         assert!(renewal.is_none());
     }

@@ -15,6 +15,7 @@ import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed, percent } from "../format.js";
 import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
 import { bodyOf } from "./document.js";
+import { sign } from "./verdict.js";
 import { words } from "./words.js";
 
 /** @param {App} app */
@@ -23,7 +24,12 @@ export function createMarks(app) {
   const cross = svg("path", { class: "read-cross", d: "M-9 0H9M0 -9V9" });
   const corner = svg("g", { class: "body-corner" }, svg("circle", { r: 12.5, class: "halo" }), svg("circle", { r: 5.5, class: "dot" }));
   const witnesses = svg("g", {});
-  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, witnesses, corner, ring, cross);
+  const badges = svg("g", { "data-body-badges": "" });
+  const grid = svg("path", { class: "body-grid" });
+  const points = svg("path", { class: "body-grid-points" });
+  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, badges, grid, points, witnesses, corner, ring, cross);
+  /** Verdicts that badges have now. */
+  let badged = "";
   const card = h("div", { class: "probe", "aria-hidden": "true", hidden: true, "data-body-reading": "" });
 
   /** @param {SVGElement} mark @param {Point | null} at */
@@ -37,6 +43,20 @@ export function createMarks(app) {
     card,
     /** @param {Point | null} at */
     corner: (at) => put(corner, at),
+    /** The small grid of the neighbours of the chosen corner. @param {[Point, Point][]} lines @param {Point[]} dots */
+    neighbours(lines, dots) {
+      attribute(grid, "d", lines.map((ends) => `M${ends.map(text).join("L")}`).join(""));
+      attribute(points, "d", dots.map((dot) => `M${text(dot)}h0`).join(""));
+    },
+    /** Cells that are not regular, at their middles. @param {{at: Point, verdict: import("../../../js/directrix.js").VerdictName}[]} shown */
+    badges(shown) {
+      const key = shown.map(({ verdict }) => verdict).join();
+      if (key !== badged) {
+        badged = key;
+        badges.replaceChildren(...shown.map(({ verdict }) => svg("g", { class: "body-badge", "data-badge": verdict }, svg("circle", { r: 10 }), svg("g", { transform: "translate(-8 -8)" }, sign(verdict)))));
+      }
+      shown.forEach(({ at }, n) => put(/** @type {SVGElement} */ (badges.children[n]), at));
+    },
     /** @param {Point[]} places of witnesses on the screen */
     witnesses(places) {
       while (witnesses.children.length > places.length) witnesses.lastElementChild?.remove();
@@ -62,6 +82,9 @@ export function createMarks(app) {
     },
   };
 }
+
+/** @param {Point} at */
+const text = (at) => at.map((value) => value.toFixed(1)).join(" ");
 
 /** @param {App} app @param {BodyReading} reading */
 function content(app, { cell, uvw, point, mix }) {

@@ -10,7 +10,7 @@
 const SEGMENTS = 16;
 
 /** The four cubic Bernstein polynomials. @param {number} t 0 to 1 @returns {number[]} */
-function bernstein(t) {
+export function bernstein(t) {
   const s = 1 - t;
   return [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
 }

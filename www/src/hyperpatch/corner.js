@@ -10,6 +10,7 @@
  */
 import { newRun } from "../controls/run.js";
 import { coordinate } from "../format.js";
+import { subtract } from "../space/vector.js";
 import { placeOf } from "./cell.js";
 import { bodyOf, cellsOf } from "./document.js";
 import { moveCorner } from "./edits.js";
@@ -45,11 +46,10 @@ export function createCorner(app, { now, chosen }) {
     const { known } = now();
     const corner = current();
     if (!corner || !known) return;
-    const { sharing, surface } = known;
-    const shared = sharedCorner(sharing, side);
-    const index = surface.corners.findIndex((each) => sharedCorner(sharing, each) === shared);
+    const { corners } = known.sharing;
+    const index = corners.findIndex((each) => each === sharedCorner(known.sharing, side));
     const cells = new Set(corner.sides.map(({ cell }) => cell)).size;
-    app.say(words.corner.chosen(index + 1, surface.corners.length, placeText(corner.position), words.corner.shared(cells)));
+    app.say(words.corner.chosen(index + 1, corners.length, placeText(corner.position), words.corner.shared(cells)));
   }
 
   /** @param {Vector} by @param {string} [run] */
@@ -68,7 +68,7 @@ export function createCorner(app, { now, chosen }) {
     /** @param {1 | -1} by */
     chooseNext(by) {
       const { known, shown } = now();
-      const next = known && neighbour(known.surface, known.sharing, shown.corner, by);
+      const next = known && neighbour(known.sharing, shown.corner, by);
       if (next) choose(next);
     },
     /** @param {0 | 1 | 2} axis @param {number} value @param {string} [run] */
@@ -79,6 +79,11 @@ export function createCorner(app, { now, chosen }) {
       const by = [0, 0, 0];
       by[axis] = value - corner.position[axis];
       moveBy(by, run);
+    },
+    /** Moves to a place. @param {Vector} place @param {string} run */
+    dragTo(place, run) {
+      const corner = current();
+      if (corner) moveBy(subtract(place, corner.position), run);
     },
     /** Moves by keys, all presses in one run. @param {Vector} by */
     press(by) {

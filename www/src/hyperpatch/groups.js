@@ -28,6 +28,7 @@ import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
+import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed, percent } from "../format.js";
 import { fact } from "../space/card.js";
@@ -145,6 +146,7 @@ function cellFacts(app, known, verdict, volume) {
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
 function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) {
+  const snapText = h("span", {});
   const fields = /** @type {const} */ ([0, 1, 2]).map((axis) => {
     const name = ["x", "y", "z"][axis];
     const label = `${words.corner.position} ${name}`;
@@ -159,11 +161,12 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
     { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "corner"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
     (value) => change({ reach: value }),
   );
+  const snap = checkBox({ name: "corner-snap", text: [snapText] }, (on) => app.ui.set({ snap: on }));
   const about = h("p", { class: "body-note" });
   const note = h("p", { class: "body-note" });
   const next = h("button", { type: "button", class: "push", "data-corner-next": "", onclick: nextCorner }, words.corner.next);
   const clear = h("button", { type: "button", class: "push", "data-corner-clear": "", onclick: () => change({ corner: null }) }, words.corner.clear);
-  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note);
+  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note, snap.element);
   return {
     name: "corner",
     heading: words.groups.corner,
@@ -176,6 +179,8 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
       const { corner } = now();
       rows.hidden = clear.hidden = !corner;
       write(about, corner ? words.corner.shared(new Set(corner.sides.map(({ cell }) => cell)).size) : words.corner.hint);
+      snap.set(app.ui.value.snap);
+      write(snapText, words.corner.snap(`${nudgeOf(now().known)}\u00a0${bodyOf(app).unit}`.trim()));
       reach.set(now().shown.reach);
       write(note, words.corner.reachNote[now().shown.reach]);
       if (corner) fields.forEach((field, axis) => field.set(Number(corner.position[axis].toPrecision(12))));
@@ -243,6 +248,12 @@ function showGroup(app, now, { change, look }) {
     (value) => change({ color: value }),
   );
   const boxes = /** @type {const} */ (["edges", "corners", "light"]).map((name) => ({ name, ...checkBox({ name: `body-${name}`, text: [words.show[name]] }, (on) => change({ [name]: on })) }));
+  const share = (/** @type {"apart" | "transparency"} */ name) => slider({ label: words.show[name], name: `body-${name}`, min: 0, max: 1, step: 0.01 }, { change: (value) => change({ [name]: value }) });
+  const [apart, transparency] = [share("apart"), share("transparency")];
+  const continuity = segment(
+    { label: words.show.continuity, name: "body-continuity", choices: /** @type {const} */ (["off", "shape", "material"]).map((value) => ({ value, text: words.show.continuities[value] })) },
+    (value) => change({ continuity: value }),
+  );
   const material = h("div", {});
   let names = "";
   /** @type {ReturnType<typeof select> | null} */
@@ -256,6 +267,10 @@ function showGroup(app, now, { change, look }) {
       h("div", { class: "body-color" }, color.element),
       material,
       h("div", { class: "layers body-layers" }, ...boxes.map(({ element }) => element)),
+      row(words.show.apart, apart),
+      row(words.show.transparency, transparency),
+      h("p", { class: "body-label" }, words.show.continuity),
+      h("div", { class: "body-color" }, continuity.element),
       viewButtons("body", words.show, look),
     ),
     phrase: () => words.show.colors[now().shown.color],
@@ -263,6 +278,10 @@ function showGroup(app, now, { change, look }) {
       const { shown } = now();
       const { materials } = bodyOf(app);
       color.set(shown.color);
+      apart.set(shown.apart);
+      transparency.set(shown.transparency);
+      for (const { input } of [apart, transparency]) attribute(input, "aria-valuetext", percent(Number(input.value)));
+      continuity.set(shown.continuity);
       for (const { name, set } of boxes) set(shown[name]);
       const key = JSON.stringify(materials.map(({ name }) => name));
       if (key !== names) {

@@ -16,23 +16,29 @@ import { placeOf, planeMoves } from "../space/section.js";
 import { sectionText } from "../space/section-group.js";
 import { createStand, followSize, whereDrawn } from "../space/stand.js";
 import { strings } from "../strings.js";
-import { edgeSegments } from "./cell.js";
+import { shiftsOf } from "./apart.js";
+import { edgeSegments, sampleAt } from "./cell.js";
 import { coloringOf, labsFor, rangeOf } from "./colors.js";
 import { createCorner } from "./corner.js";
 import { createCut } from "./cut.js";
 import { bodyOf, cellsOf } from "./document.js";
-import { createBodyGroups } from "./groups.js";
+import { createBodyGroups, nudgeOf } from "./groups.js";
 import { listenToKeys } from "./keys.js";
+import { jointsOf } from "./joints.js";
 import { isBody } from "./kind.js";
 import { createBodyLegend } from "./legend.js";
+import { neighboursOf } from "./neighbours.js";
 import { createRunner } from "./runner.js";
-import { boundsOf, FIRST_SHOWN, sharedCorner } from "./state.js";
+import { boundsOf, FIRST_SHOWN, hasInner, sharedCorner } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
 import { createBodyView } from "./view.js";
 import { words } from "./words.js";
 
 /** CSS pixels at the upper edge that stay free. */
 const TOP = 16;
+/** Cells with a badge in the picture at most, and the middle of a cell. */
+const MOST_BADGES = 200;
+const MIDDLE = [0.5, 0.5, 0.5];
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["cells", "section", "materials", "show"], tab: "cells" };
@@ -77,6 +83,8 @@ function openWorkbench(app) {
   let spoken = "";
   let area = /** @type {number | null} */ (null);
   let painted = "";
+  /** @type {import("./apart.js").Shifts} */
+  let shifts = new Map();
   const status = find("#status");
 
   const stage = h("div", { class: "body-stage", "data-furniture": "" });
@@ -114,11 +122,10 @@ function openWorkbench(app) {
   const view = whereDrawn(() =>
     createBodyView(app, {
       plane,
-      chooseCorner(index) {
-        const found = known?.surface.corners[index];
-        if (found) corner.choose({ cell: found.cell, corner: found.corner });
-      },
+      chooseCorner: corner.choose,
       chooseCell: (cell) => change({ cell: cell === shown.cell ? null : cell, corner: null }),
+      gizmo: { move: corner.dragTo, end: () => store.endRun(), undo: (run) => void store.cancel(run) },
+      step: () => (ui.value.snap ? nudgeOf(known) : null),
       turned() {
         if (shown.section.axis === "view") cut.request();
       },
@@ -157,7 +164,7 @@ function openWorkbench(app) {
     },
   );
 
-  const runner = createRunner(app, {
+  const runner = createRunner(app, () => ({ inner: hasInner(shown), continuity: shown.continuity !== "off" }), {
     changed(next) {
       const isNew = next.surface !== known?.surface;
       known = next;
@@ -186,18 +193,49 @@ function openWorkbench(app) {
     render();
   }
 
+  /** @type {{of: unknown[], joints: import("./joints.js").Joints | null}} */
+  let joined = { of: [], joints: null };
+
+  /** How the cells of the body that is known continue each other. @param {Known} body */
+  function jointsNow(body) {
+    const { continuity } = shown;
+    const of = [body.continuity, body.surface, continuity];
+    if (of.some((each, n) => each !== joined.of[n])) {
+      const cells = cellsOf(body.document);
+      joined = { of, joints: continuity === "off" || !body.continuity ? null : jointsOf(body.continuity, body.sharing, (id) => cells[id], continuity) };
+    }
+    return joined.joints;
+  }
+
+  /** What stands in the picture besides the body. The picture shows the body that is known, and the marks stand on it. @param {Known} body */
+  function pictureOf({ document, sharing, verdicts, summary, ...rest }) {
+    const cells = cellsOf(document);
+    const chosen = sharedCorner(sharing, shown.corner);
+    const side = chosen && shown.corner;
+    // A witness says it at its own place.
+    const irregular = verdicts.filter(({ verdict, witness }) => verdict !== "regular" && !witness).slice(0, MOST_BADGES);
+    return {
+      joints: jointsNow({ document, sharing, verdicts, summary, ...rest }),
+      empty: document.materials.flatMap((material, i) => (material.void ? [i] : [])),
+      corner: chosen && side ? { cell: side.cell, position: chosen.position } : null,
+      neighbours: chosen && neighboursOf(chosen.sides, (id) => cells[id], shown.apart > 0),
+      witnesses: [
+        ...verdicts.flatMap(({ cell, witness }) => (witness ? [{ cell, point: witness.point }] : [])),
+        ...(summary?.pairs.flatMap(({ cells: [cell], point }) => (point ? [{ cell, point }] : [])) ?? []),
+      ],
+      badges: irregular.flatMap(({ cell, verdict }) => (cells[cell] ? [{ cell, verdict, point: sampleAt(cells[cell], MIDDLE, 0).position }] : [])),
+    };
+  }
+
   /** Brings the picture up with what is known and shown. @param {boolean} isNew whether the surface is another one */
   function show(isNew) {
     if (!known) return;
     const bounds = boundsOf(known.surface.positions);
     const cell = cellsOf(known.document)[shown.cell ?? -1];
-    const witnesses = known.verdicts.flatMap(({ witness }) => (witness ? [witness.point] : []));
-    const overlaps = known.summary?.pairs.flatMap(({ point }) => (point ? [point] : [])) ?? [];
     const { theme } = ui.value;
-    // The picture shows the body that is known, and the mark stands on it.
-    const chosen = sharedCorner(known.sharing, shown.corner)?.position ?? null;
     if (view) {
-      view.set({ surface: known.surface, shown, theme, chosenCell: cell ? edgeSegments(cell) : [], corner: chosen, witnesses: [...witnesses, ...overlaps] }, isNew, bounds);
+      if (isNew) shifts = shiftsOf(known.cells, bounds);
+      view.set({ ...pictureOf(known), surface: known.surface, sharing: known.sharing, shifts, shown, theme, chosenCell: cell ? edgeSegments(cell) : [] }, isNew, bounds);
       const coloured = coloring();
       const key = JSON.stringify(coloured.color === "jacobian" ? [...coloured.values] : coloured);
       if (isNew || key !== painted) {
@@ -212,6 +250,7 @@ function openWorkbench(app) {
       framed = store.origin.name;
     }
     cut.request(isNew);
+    runner.look(known);
   }
 
   const stopKeys = listenToKeys({ keyboard, view, corner, change, now: nowShown });
@@ -235,6 +274,16 @@ function openWorkbench(app) {
   }
 
   let theme = ui.value.theme;
+  /** @type {readonly number[] | null} */
+  let held = null;
+
+  /** The gizmo stands on the corner where the document has it, which may be ahead of the picture. */
+  function hold() {
+    const now = corner.current();
+    if (held === (now?.position ?? null)) return;
+    held = now?.position ?? null;
+    view?.hold(now && { cell: shown.corner?.cell ?? now.sides[0].cell, position: now.position });
+  }
 
   function render() {
     const document = bodyOf(app);
@@ -260,8 +309,9 @@ function openWorkbench(app) {
     legend.element.hidden = !known;
     message.hidden = text === "";
     write(/** @type {Node} */ (message.firstChild), text);
+    hold();
     resize();
-    legend.render(shown, rangeOf(known));
+    legend.render(shown, rangeOf(known), known && jointsNow(known));
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summary()));
       const found = cut.plane();

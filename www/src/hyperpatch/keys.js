@@ -7,8 +7,9 @@
  * @import { Shown } from "./state.js"
  * @import { createBodyView } from "./view.js"
  */
-import { moveOf } from "../space/keys.js";
+import { groundStep, moveOf } from "../space/keys.js";
 import { isElsewhere } from "../space/stand.js";
+import { scaled } from "../space/vector.js";
 import { nudgeOf } from "./groups.js";
 
 /**
@@ -43,11 +44,10 @@ export function listenToKeys({ keyboard, view, corner, change, now }) {
     event.preventDefault();
   }
 
-  /** What an arrow moves the chosen corner by, along x and z. @param {KeyboardEvent} event @returns {Vector | null} */
+  /** What a key moves the chosen corner by: arrows over the ground as the camera sees it, Home and End up and down. @param {KeyboardEvent} event @returns {Vector | null} */
   function cornerStep({ key, shiftKey, altKey }) {
-    const step = nudgeOf(now().known) * (shiftKey ? 10 : altKey ? 0.1 : 1);
-    const along = { ArrowRight: [1, 0, 0], ArrowLeft: [-1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1] }[key];
-    return along ? /** @type {Vector} */ (along.map((one) => one * step)) : null;
+    const along = groundStep(key, view?.camera.azimuth ?? -90);
+    return along && scaled(along, nudgeOf(now().known) * (shiftKey ? 10 : altKey ? 0.1 : 1));
   }
 
   return () => over.abort();

@@ -2,16 +2,27 @@
  * The legend of a body: how its materials blend, or the scale of the fraction or of the Jacobian that is shown.
  *
  * @import { App } from "../state/app.js"
+ * @import { Aspect, Joints } from "./joints.js"
  * @import { Shown } from "./state.js"
  */
 import { triangle } from "../controls/triangle.js";
-import { h } from "../dom.js";
-import { fixed, percent } from "../format.js";
+import { h, svg } from "../dom.js";
+import { fixed, percent, significantText } from "../format.js";
 import { corners, list, scale, strip } from "../stage/legend.js";
 import { bodyOf, cellsOf } from "./document.js";
 import { words } from "./words.js";
 
 const SIDE = 76;
+
+/** The signs of the picture, each on its line. */
+const SIGNS = {
+  C1: () => [svg("path", { class: "thin", d: "M0 7H28" }), svg("circle", { class: "filled", cx: 14, cy: 7, r: 3.6 })],
+  C0: () => [svg("path", { class: "firm", d: "M0 7H28" }), svg("rect", { class: "filled", x: 10.5, y: 3.5, width: 7, height: 7 })],
+  none: () => [svg("path", { class: "firm", d: "M0 7H6M9 7H11M17 7H19M22 7H28" }), svg("path", { class: "hollow", d: "M14 2.5 18.5 7 14 11.5 9.5 7Z" })],
+};
+
+/** A length with its unit. @param {number} length @param {string} unit */
+const measureOf = (length, unit) => `${significantText(length)}\u00a0${unit}`.trim();
 
 /** @param {App} app */
 export function createBodyLegend(app) {
@@ -32,16 +43,37 @@ export function createBodyLegend(app) {
 
   return {
     element,
-    /** @param {Readonly<Shown>} shown @param {[number, number] | null} range of the Jacobian */
-    render({ color, material }, range) {
+    /**
+     * @param {Readonly<Shown>} shown
+     * @param {[number, number] | null} range of the Jacobian
+     * @param {Joints | null} joints what is shown of how cells continue each other
+     */
+    render({ color, material, continuity }, range, joints) {
       const { materials } = bodyOf(app);
       const indices = usedMaterials();
-      const key = JSON.stringify([color, material, materials, indices, range]);
+      const key = JSON.stringify([color, material, materials, indices, range, joints?.counts, continuity]);
       if (key === drawn) return;
       drawn = key;
-      element.replaceChildren(...(color === "material" ? blend(indices) : bar(color, material, range)));
+      const meeting = joints && continuity !== "off" ? meetings(joints.counts, continuity) : [];
+      element.replaceChildren(...meeting, ...(color === "material" ? blend(indices) : bar(color, material, range)));
     },
   };
+
+  /** Signs of corners between cells, with how many there are. @param {Joints["counts"]} counts @param {Aspect} aspect @returns {Node[]} */
+  function meetings(counts, aspect) {
+    const { unit } = bodyOf(app);
+    const row = (/** @type {keyof typeof SIGNS} */ name) =>
+      h(
+        "div",
+        { class: "body-meeting", "data-meeting": name },
+        /** @type {any} */ (svg("svg", { class: `body-sign ${name}`, width: 28, height: 14, viewBox: "0 0 28 14", "aria-hidden": "true" }, ...SIGNS[name]())),
+        h("span", {}, words.legend.meetings[aspect][name]),
+        h("span", { class: "strong number" }, String(counts[name])),
+      );
+    const names = /** @type {const} */ (["C1", "C0", "none"]).filter((name) => name !== "none" || aspect === "material");
+    const gap = counts.gap > 0 ? [h("div", { class: "body-meeting", "data-meeting": "gap" }, h("span", {}), h("span", {}, words.legend.gap(measureOf(counts.gap, unit))), h("span", { class: "strong number" }, String(counts.contacts)))] : [];
+    return [h("div", { class: "body-meetings" }, ...names.map(row), ...gap)];
+  }
 
   /** @param {number[]} indices @returns {Node[]} */
   function blend(indices) {

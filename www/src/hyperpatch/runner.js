@@ -2,7 +2,7 @@
  * Keeps what is known of a body up with the document: shape and certificates at once, the checks of the whole body once the document
  * rests. Whatever is known names the document that it belongs to, so that no verdict outlives an edit.
  *
- * @import { BodySharing, BodySummary, BodySurface, CellSummary, CellVerdict, RemoteHyperpatch } from "../../../js/directrix.js"
+ * @import { BodyContinuity, BodySharing, BodySummary, BodySurface, CellSummary, CellVerdict, RemoteHyperpatch } from "../../../js/directrix.js"
  * @import { App } from "../state/app.js"
  * @import { Problem } from "../types.js"
  * @import { BodyDocument } from "./document.js"
@@ -12,7 +12,9 @@
  * @property {RemoteHyperpatch} body
  * @property {CellSummary[]} cells
  * @property {CellVerdict[]} verdicts of all cells, in their order; certificates alone until `summary` is there
- * @property {BodySurface} surface
+ * @property {BodySurface} surface with the faces between cells where they are wanted
+ * @property {boolean} hasInner whether it has those
+ * @property {BodyContinuity | null} continuity null unless it is wanted
  * @property {BodySharing} sharing
  * @property {number} volume
  * @property {number[]} amounts
@@ -27,12 +29,13 @@ const REST = 250;
 
 /**
  * @param {App} app
+ * @param {() => {inner: boolean, continuity: boolean}} wants what the picture needs besides
  * @param {object} listeners
  * @param {(known: Known) => void} listeners.changed
  * @param {(error: Problem) => void} listeners.refused the body cannot be made
  * @param {(error: Problem) => void} listeners.interrupted the person cancelled, or the module stopped
  */
-export function createRunner(app, { changed, refused, interrupted }) {
+export function createRunner(app, wants, { changed, refused, interrupted }) {
   const { kernel, results } = app;
   /** @type {BodyDocument | null} */
   let newest = null;
@@ -49,17 +52,19 @@ export function createRunner(app, { changed, refused, interrupted }) {
       const body = await kernel.hyperpatch(document, control);
       const verdicts = await body.verdicts({ global: false }, control);
       const ms = performance.now() - started;
-      const surface = await body.surface({}, control);
+      const wanted = wants();
+      const surface = await body.surface({ faces: wanted.inner ? "all" : "outer" }, control);
+      const continuity = wanted.continuity ? await body.continuity(control) : null;
       const sharing = await body.sharing(control);
       const amounts = await body.amounts(control);
       const volume = body.cells.reduce((sum, cell) => sum + Math.abs(cell.volume), 0);
       /** @type {Known} */
-      const known = { document, body, cells: body.cells, verdicts, surface, sharing, volume, amounts, summary: null, ms };
+      const known = { document, body, cells: body.cells, verdicts, surface, hasInner: wanted.inner, continuity, sharing, volume, amounts, summary: null, ms };
       return known;
     },
     done(known, document) {
       if (document !== newest) return;
-      changed(known);
+      tell(known);
       rest(known);
     },
     failed(error, document) {
@@ -70,6 +75,33 @@ export function createRunner(app, { changed, refused, interrupted }) {
     },
     slow: (slow) => results.set(slow ? { slow } : { slow, progress: 0 }),
   });
+
+  /** What the picture has come to need since. @type {Lane<Known, Partial<Known>>} */
+  const more = new Lane({
+    async work(known, signal) {
+      const wanted = wants();
+      /** @type {Partial<Known>} */
+      const surface = wanted.inner && !known.hasInner ? { surface: await known.body.surface({ faces: "all" }, { signal }), hasInner: true } : {};
+      /** @type {Partial<Known>} */
+      const continuity = wanted.continuity && !known.continuity ? { continuity: await known.body.continuity({ signal }) } : {};
+      return { ...surface, ...continuity };
+    },
+    done(found, known) {
+      if (known.document === newest && latest?.document === newest) tell({ ...latest, ...found });
+    },
+    failed(error) {
+      const reason = problem(error);
+      if (reason.name !== "AbortError") interrupted(reason);
+    },
+  });
+  /** @type {Known | null} */
+  let latest = null;
+
+  /** @param {Known} known */
+  function tell(known) {
+    latest = known;
+    changed(known);
+  }
 
   /** @param {Known} known */
   function rest(known) {
@@ -84,7 +116,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
     try {
       const verdicts = await known.body.verdicts({}, control);
       const summary = await known.body.summary(control);
-      if (known.document === newest) changed({ ...known, verdicts, summary });
+      if (known.document === newest) tell({ ...known, ...(latest?.document === newest ? latest : {}), verdicts, summary });
     } catch (error) {
       const reason = problem(error);
       if (known.document === newest) interrupted(reason);
@@ -99,6 +131,11 @@ export function createRunner(app, { changed, refused, interrupted }) {
       checks.abort();
       lane.push(document);
     },
+    /** Sees whether the picture needs more than is known. @param {Known} known */
+    look(known) {
+      const wanted = wants();
+      if ((wanted.inner && !known.hasInner) || (wanted.continuity && !known.continuity)) more.push(known);
+    },
     /** Runs the checks of the whole body again after they were given up. @param {Known} known */
     check: (known) => rest(known),
     /** Gives up for the person, who is told. */
@@ -112,6 +149,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
       clearTimeout(timer);
       checks.abort();
       lane.cancel();
+      more.cancel();
       results.set({ slow: false, progress: 0 });
     },
   };

@@ -1,7 +1,7 @@
 /**
  * What the picture of a body shows besides the document, and what is chosen in it.
  *
- * @import { BodySharing, BodySurface } from "../../../js/directrix.js"
+ * @import { BodySharing } from "../../../js/directrix.js"
  * @import { Bounds } from "../space/vector.js"
  * @import { Section } from "../space/section.js"
  * @import { Reach, Side } from "./edits.js"
@@ -12,6 +12,9 @@
  * @property {boolean} edges
  * @property {boolean} corners
  * @property {boolean} light
+ * @property {number} apart how far cells are drawn apart, 0 to 1
+ * @property {number} transparency of the faces, 0 to 1
+ * @property {"off" | import("./joints.js").Aspect} continuity what is shown of how cells continue each other
  * @property {Section} section
  * @property {number | null} cell the chosen one
  * @property {Side | null} corner the chosen one, as one of its cells has it
@@ -25,6 +28,9 @@ export const FIRST_SHOWN = {
   edges: true,
   corners: true,
   light: true,
+  apart: 0,
+  transparency: 0,
+  continuity: "off",
   section: { axis: "off", at: 0.5, flipped: false },
   cell: null,
   corner: null,
@@ -54,19 +60,22 @@ export function sharedCorner({ corners }, side) {
   return corners.find(({ sides }) => sides.some(is)) ?? null;
 }
 
+/** Whether the picture needs the faces between cells. @param {Shown} shown */
+export const hasInner = ({ apart, transparency, continuity }) => apart > 0 || transparency > 0 || continuity !== "off";
+
 /**
- * The corner so many places after a chosen one, round and round; the first where none is chosen.
- * @param {Pick<BodySurface, "corners">} surface
+ * The corner so many places after a chosen one, round and round, those within the body as well; the first where none is chosen.
  * @param {Pick<BodySharing, "corners">} sharing
  * @param {Side | null} chosen
  * @param {1 | -1} by
  * @returns {Side | null}
  */
-export function neighbour({ corners }, sharing, chosen, by) {
+export function neighbour(sharing, chosen, by) {
+  const { corners } = sharing;
   if (corners.length === 0) return null;
   const shared = sharedCorner(sharing, chosen);
-  const here = corners.findIndex((side) => shared !== null && sharedCorner(sharing, side) === shared);
+  const here = corners.findIndex((corner) => corner === shared);
   const next = here < 0 ? (by > 0 ? 0 : corners.length - 1) : (here + by + corners.length) % corners.length;
-  const { cell, corner } = corners[next];
+  const [{ cell, corner }] = corners[next].sides;
   return { cell, corner };
 }

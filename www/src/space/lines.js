@@ -8,6 +8,7 @@
  * @property {number} width CSS pixels
  * @property {number} [opacity]
  * @property {number} order lines of a higher one are drawn over those of a lower
+ * @property {import("./surface.js").Apart} [apart] the segments belong to cells that are drawn apart
  */
 import { BufferAttribute, BufferGeometry, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, Vector2 } from "three";
 import { plainColor } from "./colors.js";
@@ -20,6 +21,10 @@ attribute vec3 from;
 attribute vec3 to;
 attribute vec3 fromColor;
 attribute vec3 toColor;
+#ifdef IN_CELLS
+attribute vec3 shift;
+uniform float apart;
+#endif
 uniform vec2 size;
 uniform float width;
 uniform float nearer;
@@ -36,6 +41,11 @@ void main() {
   else if (b.z > nearest && a.z < nearest) b = mix(b, a, (b.z - nearest) / (b.z - a.z));
   vec4 mvPosition = corner.x < 0.5 ? a : b;
   #include <clipping_planes_vertex>
+#ifdef IN_CELLS
+  vec4 moved = modelViewMatrix * vec4(apart * shift, 0.0);
+  a += moved;
+  b += moved;
+#endif
   vec4 p = projectionMatrix * a;
   vec4 q = projectionMatrix * b;
   vec2 along = (q.xy / q.w - p.xy / p.w) * size;
@@ -90,13 +100,13 @@ export class Lines {
   #isWanted = true;
 
   /** @param {ClippingPlane[]} clippingPlanes @param {LineLook} look */
-  constructor(clippingPlanes, { color, width, opacity = 1, order }) {
+  constructor(clippingPlanes, { color, width, opacity = 1, order, apart }) {
     this.#nearer = NEARER + 1.5 * width;
     this.#material = new ShaderMaterial({
-      defines: width < BROAD ? {} : { BROAD: "" },
+      defines: { ...(width < BROAD ? {} : { BROAD: "" }), ...(apart ? { IN_CELLS: "" } : {}) },
       vertexShader: VERTEX,
       fragmentShader: color === undefined ? FRAGMENT : FRAGMENT.replace("varying vec3 vColor", "uniform vec3 color").replace("vColor", "color"),
-      uniforms: { size: { value: new Vector2(1, 1) }, width: { value: width }, nearer: { value: 0 }, opacity: { value: opacity }, color: { value: [0, 0, 0] } },
+      uniforms: { size: { value: new Vector2(1, 1) }, width: { value: width }, nearer: { value: 0 }, opacity: { value: opacity }, color: { value: [0, 0, 0] }, ...(apart ? { apart } : {}) },
       transparent: true,
       depthWrite: false,
       clipping: true,
@@ -113,8 +123,9 @@ export class Lines {
   /**
    * @param {Float32Array | number[]} segments six numbers each
    * @param {Float32Array | number[]} [colors] six numbers a segment, sRGB from 0 to 1
+   * @param {Float32Array | number[]} [shifts] three numbers a segment, where they belong to cells
    */
-  set(segments, colors) {
+  set(segments, colors, shifts) {
     // A geometry of another length is another one to the graphics card.
     this.#geometry.dispose();
     this.#geometry = new BufferGeometry();
@@ -130,6 +141,11 @@ export class Lines {
     this.#geometry.setIndex(new BufferAttribute(faces, 1));
     this.#put(["from", "to"], segments);
     if (colors) this.#put(["fromColor", "toColor"], colors);
+    if (shifts) {
+      const four = new Float32Array(12 * this.#count);
+      for (let k = 0; k < four.length; k += 1) four[k] = shifts[3 * Math.floor(k / 12) + (k % 3)];
+      this.#geometry.setAttribute("shift", new BufferAttribute(four, 3));
+    }
     this.object.geometry = this.#geometry;
     this.show(this.#isWanted);
   }

@@ -18,7 +18,7 @@ import { isKept } from "./plane.js";
  * @param {{positions: Float32Array, indices: Uint32Array}} mesh
  * @param {{from: Vector, along: Vector}} ray
  * @param {Plane[]} [planes] what they take away is not met
- * @param {(triangle: number) => boolean} [isShown]
+ * @param {(triangle: number, point: Vector) => boolean} [isShown]
  * @returns {Hit | null}
  */
 export function firstHit({ positions, indices }, { from, along }, planes = [], isShown = () => true) {
@@ -41,7 +41,7 @@ export function firstHit({ positions, indices }, { from, along }, planes = [], i
     const distance = dot(f, q) / determinant;
     if (distance <= 0 || (first && distance >= first.distance)) continue;
     const point = add(from, scaled(along, distance));
-    if (!isShown(k / 3) || !isKept(planes, point)) continue;
+    if (!isShown(k / 3, point) || !isKept(planes, point)) continue;
     first = { triangle: k / 3, weights: [1 - v - w, v, w], point, distance, isFront: determinant > 0 };
   }
   return first;

@@ -151,6 +151,16 @@ export class Space {
     // What is drawn may reach farther now.
     this.#place();
     this.#renderer.render(this.#scene, this.#camera);
+    this.#report();
+  }
+
+  /** What the picture costs the graphics card, where tests and benches read it. */
+  #report() {
+    const { calls, triangles } = this.#renderer.info.render;
+    const cost = { calls: String(calls), triangles: String(triangles) };
+    for (const name of /** @type {const} */ (["calls", "triangles"])) {
+      if (this.#canvas.dataset[name] !== cost[name]) this.#canvas.dataset[name] = cost[name];
+    }
   }
 
   #place() {

@@ -159,6 +159,9 @@ export function createViewer(app, words, { draw, read, speak, hull, box, tap, tu
     app.say(words.view(view));
   }
 
+  /** Sees all of the body again, unless the camera has been moved. */
+  const refit = () => void (follows && fit());
+
   return {
     canvas,
     triad: triad.element,
@@ -166,6 +169,7 @@ export function createViewer(app, words, { draw, read, speak, hull, box, tap, tu
     space,
     bound,
     fit,
+    refit,
     look,
     /** Whether the reading is that in the middle. */
     get isCross() {
