@@ -7,7 +7,6 @@ import { root } from "../../scripts/lib/paths.mjs";
 import { edgeSegments, sampleAt } from "../../www/src/hyperpatch/cell.js";
 import { labsFor, relativeJacobian, viridis } from "../../www/src/hyperpatch/colors.js";
 import { cellsOf } from "../../www/src/hyperpatch/document.js";
-import { coefficientsAt, moveCorner } from "../../www/src/hyperpatch/edits.js";
 import { isBody } from "../../www/src/hyperpatch/kind.js";
 import { boundsOf, neighbour, sharedCorner } from "../../www/src/hyperpatch/state.js";
 
@@ -38,36 +37,6 @@ test("the boundary curves of a cell join its corners, each corner at three of th
     const near = ends.filter((end) => Math.hypot(...end.map((value, k) => value - corner[k])) < 1e-9);
     assert.equal(near.length, 3);
   }
-});
-
-test("a corner moves in every cell that has it, so that the body stays joined, and back again", () => {
-  const body = dx.hyperpatch(block);
-  const sharing = body.sharing();
-  const inner = sharing.corners.find(({ sides }) => sides.length === 8);
-  assert.ok(inner);
-  const moved = moveCorner(block, inner.sides, [0.05, -0.02, 0.03], "block");
-  const after = dx.hyperpatch(moved);
-  assert.deepEqual(after.sharing().shared, sharing.shared);
-  const same = sharedCorner(after.sharing(), inner.sides[0]);
-  assert.ok(same);
-  [0.05, -0.02, 0.03].forEach((by, axis) => assert.ok(Math.abs(same.position[axis] - inner.position[axis] - by) < 1e-12));
-  // What lies outside stays, and so does the volume of the whole.
-  assert.ok(Math.abs(after.volume() - body.volume()) < 1e-9);
-  assert.equal(moveCorner(block, inner.sides, [0, 0, 0], "block"), block);
-});
-
-test("with its tangents a corner stays smooth, alone it does not", () => {
-  const inner = dx.hyperpatch(block).sharing().corners.find(({ sides }) => sides.length === 8);
-  assert.ok(inner);
-  const smooth = (/** @type {import("../../www/src/hyperpatch/edits.js").Reach} */ reach) => {
-    const { faces } = dx.hyperpatch(moveCorner(block, inner.sides, [0.1, 0.05, 0], reach)).continuity();
-    return faces.every(({ shape }) => shape === "C1");
-  };
-  assert.equal(smooth("block"), true);
-  assert.equal(smooth("corner"), false);
-  assert.deepEqual(coefficientsAt([0, 0, 0], "corner"), [0]);
-  assert.deepEqual(coefficientsAt([1, 1, 1], "corner"), [63]);
-  assert.equal(coefficientsAt([1, 0, 1], "block").length, 8);
 });
 
 test("corners follow each other round and round", () => {

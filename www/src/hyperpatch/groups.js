@@ -16,7 +16,10 @@
  * @property {[number, number] | null} extent of the section plane's way, document units
  * @property {number | null} area of the face of the cut
  *
+ * @typedef {{element: HTMLElement, render: () => void}} Part More rows of a group.
+ *
  * @typedef {object} Acts
+ * @property {(cell: number, isMore: boolean) => void} chooseCell `isMore`: besides those that are chosen
  * @property {(patch: Partial<Shown>) => void} change
  * @property {(view: StandardView) => void} look
  * @property {(axis: 0 | 1 | 2, value: number, run?: string) => void} moveTo
@@ -52,10 +55,19 @@ const NUDGE = 0.01;
  * @param {App} app
  * @param {() => Now} now
  * @param {Acts} acts
+ * @param {{cells: Part, corner: Part, materials: Part}} parts by which the groups are edited
+ * @param {Group[]} more groups, of editing
  * @returns {Group[]}
  */
-export function createBodyGroups(app, now, acts) {
-  return [cellsGroup(app, now, acts), cornerGroup(app, now, acts), sectionGroup(app, now, acts), materialsGroup(app, now), showGroup(app, now, acts)];
+export function createBodyGroups(app, now, acts, parts, more) {
+  return [
+    cellsGroup(app, now, acts, parts.cells),
+    cornerGroup(app, now, acts, parts.corner),
+    materialsGroup(app, now, parts.materials),
+    ...more,
+    sectionGroup(app, now, acts),
+    showGroup(app, now, acts),
+  ];
 }
 
 /** A step of a coordinate: a hundredth of the body, rounded to 1, 2 or 5. @param {Known | null} known */
@@ -70,8 +82,8 @@ export function nudgeOf(known) {
 export const worstFirst = (verdicts) =>
   [...verdicts].sort((a, b) => WORST_FIRST.indexOf(a.verdict) - WORST_FIRST.indexOf(b.verdict) || a.cell - b.cell);
 
-/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
-function cellsGroup(app, now, { change }) {
+/** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part} part @returns {Group} */
+function cellsGroup(app, now, { chooseCell }, part) {
   const counts = h("div", { class: "body-counts" });
   const list = h("div", { class: "body-cells", role: "group", "aria-label": words.cells.list });
   const more = h("p", { class: "body-note" });
@@ -80,7 +92,7 @@ function cellsGroup(app, now, { change }) {
   return {
     name: "cells",
     heading: words.groups.cells,
-    body: h("div", {}, counts, list, more, facts),
+    body: h("div", {}, counts, list, more, part.element, facts),
     phrase: () => words.cells.phrase(now().known?.cells.length ?? 0),
     render() {
       const { known, isCurrent, shown } = now();
@@ -104,7 +116,7 @@ function cellsGroup(app, now, { change }) {
             .map(({ cell, verdict }) =>
               h(
                 "button",
-                { type: "button", class: "body-cell", "data-cell": String(cell), onclick: () => change({ cell: now().shown.cell === cell ? null : cell }) },
+                { type: "button", class: "body-cell", "data-cell": String(cell), onclick: (/** @type {MouseEvent} */ event) => chooseCell(cell, event.shiftKey || event.ctrlKey || event.metaKey) },
                 /** @type {any} */ (sign(verdict)),
                 h("span", { class: "number" }, String(cell)),
               ),
@@ -115,9 +127,11 @@ function cellsGroup(app, now, { change }) {
         more.hidden = verdicts.length <= LISTED;
       }
       const listed = worstFirst(known?.verdicts ?? []);
+      const chosen = new Set(shown.cells);
+      part.render();
       for (const [n, button] of [...list.children].entries()) {
         const { cell, verdict } = listed[n];
-        attribute(button, "aria-pressed", String(cell === shown.cell));
+        attribute(button, "aria-pressed", String(chosen.has(cell)));
         attribute(button, "title", isCurrent ? words.verdicts[verdict] : null);
         attribute(button, "aria-label", isCurrent ? words.spoken.cell(cell, words.verdicts[verdict]) : words.cells.nth(cell));
       }
@@ -144,8 +158,8 @@ function cellFacts(app, known, verdict, volume) {
   ];
 }
 
-/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
-function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) {
+/** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part} part @returns {Group} */
+function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }, part) {
   const snapText = h("span", {});
   const fields = /** @type {const} */ ([0, 1, 2]).map((axis) => {
     const name = ["x", "y", "z"][axis];
@@ -158,7 +172,7 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
     return field;
   });
   const reach = segment(
-    { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "corner"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
+    { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "single"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
     (value) => change({ reach: value }),
   );
   const snap = checkBox({ name: "corner-snap", text: [snapText] }, (on) => app.ui.set({ snap: on }));
@@ -170,7 +184,7 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
   return {
     name: "corner",
     heading: words.groups.corner,
-    body: h("div", {}, about, rows, h("div", { class: "body-buttons" }, next, clear)),
+    body: h("div", {}, about, rows, part.element, h("div", { class: "body-buttons" }, next, clear)),
     phrase() {
       const { corner } = now();
       return corner ? corner.position.map((value) => fixed(value, 1)).join(", ") : words.corner.none;
@@ -183,6 +197,7 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
       write(snapText, words.corner.snap(`${nudgeOf(now().known)}\u00a0${bodyOf(app).unit}`.trim()));
       reach.set(now().shown.reach);
       write(note, words.corner.reachNote[now().shown.reach]);
+      part.render();
       if (corner) fields.forEach((field, axis) => field.set(Number(corner.position[axis].toPrecision(12))));
     },
   };
@@ -211,18 +226,19 @@ function sectionGroup(app, now, { change }) {
   };
 }
 
-/** @param {App} app @param {() => Now} now @returns {Group} */
-function materialsGroup(app, now) {
+/** @param {App} app @param {() => Now} now @param {Part} part @returns {Group} */
+function materialsGroup(app, now, part) {
   const list = h("div", { class: "body-materials", role: "list", "aria-label": words.materials.amount });
   let drawn = "";
   return {
     name: "materials",
     heading: words.groups.materials,
-    body: h("div", {}, list),
+    body: h("div", {}, list, part.element),
     phrase: () => words.materials.phrase(bodyOf(app).materials.length),
     render() {
       const { known } = now();
       const { materials, unit } = bodyOf(app);
+      part.render();
       const key = JSON.stringify([materials, known?.amounts, unit]);
       if (key === drawn) return;
       drawn = key;

@@ -50,10 +50,10 @@ export const words = {
     shared: (/** @type {number} */ count) => (count === 1 ? "of one cell" : `shared by ${count} cells`),
     position: "Position",
     reach: "Moves",
-    reaches: { block: "Tangents", corner: "Corner alone" },
+    reaches: { block: "With others", single: "Alone" },
     reachNote: {
-      block: "The eight control points at the corner move together in each of its cells, so smooth joints stay smooth.",
-      corner: "Only the corner moves; joints that were smooth there get a crease.",
+      block: "A corner takes its control points along in each of its cells; a neighbour moves the others, so that smooth joints stay smooth.",
+      single: "Only this point moves, with its equal copies; joints that were smooth there get a crease.",
     },
     chosen: (/** @type {number} */ nth, /** @type {number} */ count, /** @type {string} */ place, /** @type {string} */ shared) =>
       `Corner ${nth} of ${count}, ${shared}, ${place}`,

@@ -13,10 +13,12 @@
  * @property {Side} side
  * @property {Place} place the chosen coefficient
  * @property {CornerNeighbourhood} neighbourhood
- * @property {{cell: number, at: readonly number[], share: number}[]} moves what would move, each with its share of the way
+ * @property {{cell: number, at: [number, number, number], share: number}[]} moves what would move, each with its share of the way
  */
 import { Lane } from "../../state/lane.js";
 import { placeOfCorner } from "../edits.js";
+
+/** @typedef {{known: Known, side: Side, place: Place, reach: Reach}} Asked */
 
 /**
  * @param {object} of
@@ -26,10 +28,10 @@ import { placeOfCorner } from "../edits.js";
 export function createAround({ now, found }) {
   /** @type {Around | null} */
   let answer = null;
-  /** @type {{known: Known, side: Side, place: Place, reach: Reach} | null} */
+  /** @type {Asked | null} */
   let asked = null;
 
-  /** @type {Lane<NonNullable<typeof asked>, Around>} */
+  /** @type {Lane<Asked, Around>} */
   const lane = new Lane({
     async work({ known, side, place, reach }, signal) {
       const neighbourhood = await known.body.neighbourhood(side.cell, triple(side.corner), { signal });

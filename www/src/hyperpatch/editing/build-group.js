@@ -137,7 +137,7 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
     const next = operation();
     append(next);
     app.say(words.sentence(next));
-    if (kind === "delete" || kind === "extrude") change({ ...(kind === "delete" ? { cell: null, cells: [], corner: null, corners: [], at: null } : {}), faces: [], picksFaces: false });
+    if (kind === "delete" || kind === "extrude") change({ ...(kind === "delete" ? { cell: null, cells: [], corner: null, others: [], at: null } : {}), faces: [], picksFaces: false });
   }
 
   /** @param {FaceName} face */

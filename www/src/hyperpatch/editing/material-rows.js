@@ -4,7 +4,7 @@
  * @import { App } from "../../state/app.js"
  * @import { Known } from "../runner.js"
  * @import { Shown } from "../state.js"
- * @import { Operation, Place, Side } from "../edits.js"
+ * @import { Operation, Place } from "../edits.js"
  * @import { Around } from "./around.js"
  */
 import { mixingControl } from "../../controls/mixing.js";
@@ -53,10 +53,12 @@ const triple = (list) => /** @type {[number, number, number]} */ ([...list]);
  * @param {(operation: Operation, run?: string) => void} of.append
  */
 export function materialRows(app, { now, around, joint, append }) {
+  /** The one that was picked; before that it follows what is chosen. @type {Mode | null} */
+  let picked = null;
   /** @type {Mode} */
   let mode = "cells";
   const choice = select({ label: said.mode, name: "mix-mode", choices: MODES.map((value) => ({ value, text: said.modes[value] })) }, (value) => {
-    mode = value;
+    picked = value;
     render();
   });
   const note = h("p", { class: "body-note", "data-mix-note": "" });
@@ -114,6 +116,7 @@ export function materialRows(app, { now, around, joint, append }) {
   function render() {
     const { shown } = now();
     const { materials } = bodyOf(app);
+    mode = picked ?? (shown.corner ? (shown.at ? "at" : "corner") : "cells");
     choice.set(mode);
     const mix = current();
     mixing.element.hidden = !mix;

@@ -38,7 +38,7 @@ export function operationsGroup(app, { now, step, show, checks }) {
   let drawn = null;
   let drawnKey = "";
   const list = h("div", { class: "operation-list", role: "listbox", "aria-label": said.list, "aria-describedby": "operation-help", "data-operations": "" });
-  const help = h("p", { id: "operation-help", class: "visually-hidden" }, said.help);
+  const help = h("p", { id: "operation-help", hidden: true }, said.help);
   const more = h("button", { type: "button", class: "command-word", "data-operations-all": "" }, said.showAll);
   const moreText = h("span", {});
   const moreRow = h("p", { class: "body-note operation-more" }, moreText, " ", more);

@@ -99,8 +99,8 @@ export const words = {
   },
   continuity: {
     heading: "Continuity",
-    joint: "Between",
-    name: (/** @type {{cell: number, face: string}} */ a, /** @type {{cell: number, face: string}} */ b) => `Cells ${a.cell} and ${b.cell}, face ${a.face}`,
+    joint: "Cells",
+    name: (/** @type {{cell: number, face: string}} */ a, /** @type {{cell: number, face: string}} */ b) => `${a.cell} and ${b.cell}, face ${a.face}`,
     none: "No other cell shares a face here.",
     where: "Where",
     wheres: { corner: "This corner", face: "Whole face" },
