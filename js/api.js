@@ -124,6 +124,23 @@ export function createApi(engine) {
     };
     return { ...answer("body", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
   };
+  /**
+   * A transform under way. Without a limit the field is left out, which JSON has no infinity for.
+   *
+   * @param {import("./directrix.js").TransformInput} input
+   */
+  const transforming = ({ features, limit = Infinity, ...rest }) =>
+    ask(() => {
+      const options = toText(limit === Infinity ? rest : { ...rest, limit });
+      if (!(features instanceof Uint8Array)) {
+        throw new DirectrixError("type", "features", `${String(features)} was found; expected a Uint8Array`);
+      }
+      const transform = whole(engine, "transform").transform(options, features);
+      return {
+        step: (/** @type {number} */ budget) => ask(() => transform.step(budget)),
+        end: () => ({ distances: ask(() => transform.result()) }),
+      };
+    });
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
@@ -185,15 +202,20 @@ export function createApi(engine) {
       bodyOf(made);
       return made;
     },
-
-    job(document, { paint, solid, solidFile, hyperpatch, coarse = paint?.coarse ?? false, greedy = false } = {}) {
-      if (hyperpatch) {
-        const work = body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {});
+    distanceTransform(input) {
+      const work = transforming(input);
+      work.step(Infinity);
+      return work.end().distances;
+    },
+    job(document, { paint, solid, solidFile, hyperpatch, distanceTransform, coarse = paint?.coarse ?? false, greedy = false } = {}) {
+      const free = distanceTransform && transforming(distanceTransform);
+      const asked = free ?? (hyperpatch && body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {}));
+      if (asked) {
         /** @type {import("./directrix.js").Progress | undefined} */
         let last;
         const step = (/** @type {number} */ budget) => {
-          const progress = work.step(budget);
-          return progress < 1 ? { progress, done: false } : (last = { progress, done: true, ...work.end() });
+          const progress = asked.step(budget);
+          return progress < 1 ? { progress, done: false } : (last = { progress, done: true, ...asked.end() });
         };
         return { step: (budget) => last ?? step(budget) };
       }

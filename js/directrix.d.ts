@@ -186,6 +186,8 @@ export interface Diagnostic {
   parameter?: number;
   /** Degrees. */
   turn?: number;
+  /** Of a corner: the bisector that stands in for the normal, of length 1, outward on a closed curve. */
+  normal?: Point;
   at?: Point;
 }
 
@@ -531,6 +533,8 @@ export interface Progress {
   file?: Uint8Array;
   /** Of a job that answers a question about a body, when it is done: what the method of that name returns. */
   answer?: any;
+  /** Of a distance transform, when it is done. */
+  distances?: Float32Array;
 }
 
 /** The solution of a document, and its picture if asked for, in steps: for hosts that must stay responsive. */
@@ -644,6 +648,20 @@ export interface JobOptions extends MatchOptions {
   /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
   hyperpatch?: { question: Exclude<keyof Hyperpatch, "operations">; rest?: object };
   greedy?: boolean;
+  /** A distance transform; the document is left aside. */
+  distanceTransform?: TransformInput;
+}
+
+/** A grid with features; docs/api.md. */
+export interface TransformInput {
+  /** Voxels along x, y and z, or pixels along x and y. */
+  size: [number, number] | [number, number, number];
+  /** Lengths between neighbouring centres. Default: 1 each. */
+  spacing?: [number, number] | [number, number, number];
+  /** A number for each voxel, x fastest: other than 0 where it belongs to a feature. */
+  features: Uint8Array;
+  /** Distances above it are Infinity. Default: Infinity. */
+  limit?: number;
 }
 
 /** A point [x, y, z], z up, or parameters [u, v, w]. */
@@ -887,11 +905,8 @@ export interface Hyperpatch {
   amounts(): number[];
   /** `steps` along each axis of a cell, 1 to 64, default 8. */
   section(plane: { normal: Triple; offset?: number; point?: Triple }, options?: { steps?: number }): BodySection;
-  /**
-   * Default of the chord tolerance: a thousandth of the diagonal of the body. With `faces: "all"` the faces between cells follow, once for each cell;
-   * then the surface is a whole one, whatever `since` says.
-   */
-  surface(options?: { tolerance?: number; since?: number; faces?: "outer" | "all" }): BodySurface;
+  /** Default of the chord tolerance: a thousandth of the diagonal of the body. With `faces: "all"` the faces between cells follow, once for each cell. */
+  surface(options?: { tolerance?: number; faces?: "outer" | "all"; since?: number }): BodySurface;
   /** null outside; on what several cells share the one with the lowest number answers. */
   probe(point: Triple): { cell: number; uvw: Triple; mix: number[] } | null;
   relations(): CellRelation[];
@@ -1001,11 +1016,13 @@ export interface Directrix {
   hyperpatch(document: HyperpatchDocument | string): Hyperpatch;
   /** A document with the cells of another one after its own operations. Materials of the same name and colour are one, others are appended. */
   merge(document: HyperpatchDocument | string, other: HyperpatchDocument | string): HyperpatchDocument;
+  /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
+  distanceTransform(input: TransformInput): Float32Array;
   /**
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
    * these functions; `hyperpatch` is a question about a document of that kind.
    */
-  job(document: DocumentInput | HyperpatchDocument, options?: JobOptions): Job;
+  job(document: DocumentInput | HyperpatchDocument | null, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {

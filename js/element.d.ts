@@ -1,6 +1,6 @@
-import type { CurvesDocument, DocumentInput, ErrorCode, Match } from "./directrix.js";
+import type { CurvesDocument, DocumentInput, ErrorCode, HyperpatchDocument, Match } from "./directrix.js";
 
-/** What the matching of a figure is worth. */
+/** What the matching of a figure is worth, or the body of one: then `body` is there, no line is counted, and what belongs to matchings is null. */
 export interface FigureResult {
   /** Whether every sample has a line, none cross and none is blocked. */
   ok: boolean;
@@ -17,16 +17,30 @@ export interface FigureResult {
   integral: number | null;
   gap: number | null;
   gapKind: Match["gapKind"];
-  method: CurvesDocument["matching"]["method"];
+  method: CurvesDocument["matching"]["method"] | null;
   /** Codes of the remarks on the geometry. */
   diagnostics: string[];
   /** The result in words, such as "44 lines, none crossing, η 0.98". */
   text: string;
+  /** The same in short, of a body. */
+  brief?: string;
+  body?: {
+    cells: number;
+    /** Cells that are invalid, and degenerate. */
+    invalid: number;
+    degenerate: number;
+    /** Pairs of cells that overlap. */
+    overlaps: number;
+    /** In the unit of the document, cubed. */
+    volume: number;
+    /** Whether every check has run to its end; before, only certificates of single cells have. */
+    checked: boolean;
+  };
 }
 
 interface FigureState {
   document: CurvesDocument;
-  /** Place of the current in-between curve, 0 to 1. */
+  /** Place of the current in-between curve, or of the section of a body, 0 to 1. */
   s: number;
   /** null while an edit cannot be matched. */
   result: FigureResult | null;
@@ -65,10 +79,13 @@ export class DirectrixFigure extends HTMLElement {
   static presets: string | URL;
   /** The editor, for figures without the attribute `editor`. */
   static editor: string | URL;
-  /** A copy of the document that is shown; null before the first one stands. Setting one shows it once it is found to be valid. */
+  /**
+   * A copy of the document that is shown, of a body a `HyperpatchDocument`, which its `kind` tells; null before the first one stands. Setting
+   * one shows it once it is found to be valid.
+   */
   get document(): CurvesDocument | null;
-  set document(document: DocumentInput | null);
-  /** Place of the current in-between curve, 0 to 1. */
+  set document(document: DocumentInput | HyperpatchDocument | null);
+  /** Place of the current in-between curve, 0 to 1; of a body the share of its depth that the section has taken away. */
   s: number;
   readonly result: FigureResult | null;
   /** Where the figure is computed; null before that is known. */

@@ -22,4 +22,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "solidFile",
   "hyperpatch",
   "merge",
+  "distanceTransform",
 ]);

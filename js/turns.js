@@ -13,7 +13,7 @@ const GREEDY = new Set(["steps", "sets"]);
 /** @typedef {{ name: import("./connect.js").Name, args: any[] }} Call */
 
 /**
- * Solves the document of a call in steps; a picture is painted, a solid is built, and questions about a body are answered in steps as well.
+ * Solves the document of a call in steps; a picture is painted, a solid is built, distances are found, and questions about a body are answered in steps as well.
  *
  * @param {import("./directrix.js").Directrix} dx
  * @param {Call} call
@@ -25,8 +25,9 @@ const GREEDY = new Set(["steps", "sets"]);
 export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
   const [first, ...rest] = args;
   if (UNSOLVED.has(name)) return { value: /** @type {any} */ (dx)[name](...args), spent: 0 };
-  const text = name === "hyperpatch" ? first : toText(first);
-  const job = dx.job(text, goal(name, rest[0]));
+  const isOfDocument = name !== "distanceTransform";
+  const text = !isOfDocument ? "" : name === "hyperpatch" ? first : toText(first);
+  const job = dx.job(text, isOfDocument ? goal(name, rest[0]) : { distanceTransform: first });
   let spent = 0;
   const step = () => {
     const start = performance.now();
@@ -41,6 +42,7 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
     if (!isWanted()) return null;
   }
   if ("answer" in state) return { value: state.answer, spent };
+  if (state.distances) return { value: state.distances, spent };
   return { value: state.picture ?? state.solid ?? state.file ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
 }
 

@@ -129,6 +129,8 @@ pub mod material;
 pub mod curve;
 #[cfg(feature = "curves")]
 pub mod document;
+#[cfg(feature = "field")]
+pub mod field;
 #[cfg(feature = "hyperpatch")]
 pub mod hyperpatch;
 #[cfg(feature = "import")]

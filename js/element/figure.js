@@ -2,6 +2,7 @@
  * The element `<directrix-figure>`: its attributes, its life on the page, and its parts. See docs/embedding.md.
  *
  * @import { CurvesDocument, DocumentInput, LayerName } from "../directrix.js"
+ * @import { BodyScene } from "./body/body-scene.js"
  */
 import { DirectrixError } from "../errors.js";
 import { attribute, write } from "./dom.js";
@@ -9,6 +10,7 @@ import { createFrame } from "./frame.js";
 import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
 import { isInSpace } from "./in-space.js";
+import { isBody, isBodyPreset } from "./kind.js";
 import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
 import { observe, observeSize } from "./observe.js";
@@ -52,7 +54,12 @@ export class DirectrixFigure extends Base {
   static editor = "./index.html";
 
   #frame;
+  #host;
+  /** What is shown: curves, or a body. @type {Scene} */
   #scene;
+  #curves;
+  /** @type {BodyScene | null} */
+  #body = null;
   #handles;
   #growth;
   /** Place in the growth, 0 to 1, where it was moved; else that of the attribute. @type {number | null} */
@@ -84,14 +91,17 @@ export class DirectrixFigure extends Base {
       layer: (name, isOn) => this.#setLayer(name, isOn),
     });
     const { canvas, picture, bar, poster, paper } = this.#frame;
-    this.#scene = new Scene({
+    /** @type {import("./scene.js").Host} */
+    const shown = {
       canvas,
       urgency: () => (this.#isSeen ? 0 : 1),
       onsolved: (kind) => this.#solved(kind),
       onpaint: () => this.#renderOverlay(),
       onprogress: (progress) => this.#progressed(progress),
       onproblem: (kind, error) => this.#failed(kind, error),
-    });
+    };
+    this.#host = shown;
+    this.#scene = this.#curves = new Scene(shown);
     this.#handles = new Handles({
       state: () => (this.#hasHandles && this.#scene.document ? { document: this.#scene.document, view: this.#scene.view, size: this.#scene.size } : null),
       change: (document, isMoving) => this.#edit(document, isMoving),
@@ -102,11 +112,13 @@ export class DirectrixFigure extends Base {
       s: () => (this.#isGrowth ? this.#place : this.#scene.s),
       stages: () => (this.#isGrowth ? Math.max(1, this.#steps) : this.#scene.stages),
       isGrowth: () => this.#isGrowth,
+      slider: () => this.#scene.slider,
+      spoken: () => this.#scene.spoken,
       change: (s) => (this.#isGrowth ? this.#setPlace(s) : this.#setS(s)),
       isSeen: () => this.#isShownNow,
       say: (text) => this.#say(text),
     });
-    this.#paper = new Paper(this.#scene, paper);
+    this.#paper = new Paper(() => this.#scene, paper);
     picture.append(this.#growth.element, this.#handles.element);
     bar.prepend(...this.#morph.elements);
     poster.addEventListener("error", () => (poster.hidden = true));
@@ -156,8 +168,7 @@ export class DirectrixFigure extends Base {
 
   connectedCallback() {
     for (const name of ["document", "s"]) this.#upgrade(name);
-    const root = /** @type {ShadowRoot} */ (this.shadowRoot);
-    root.adoptedStyleSheets = [sheetOf(this.ownerDocument)];
+    this.#dress();
     use();
     this.#observe();
     this.#render();
@@ -193,7 +204,7 @@ export class DirectrixFigure extends Base {
 
   /** Whether the figure shows the growth step by step. */
   get #isGrowth() {
-    return this.#view === "steps";
+    return this.#view === "steps" && !this.#body;
   }
 
   /** A step without a view is one of the growth, as in a link. */
@@ -225,7 +236,7 @@ export class DirectrixFigure extends Base {
   }
 
   get #hasHandles() {
-    return this.#choice("controls") === "full" && !isInSpace(this.#scene.document);
+    return this.#choice("controls") === "full" && !this.#body && !isInSpace(this.#scene.document);
   }
 
   /** Whether anybody can see it. */
@@ -296,7 +307,8 @@ export class DirectrixFigure extends Base {
     const fetching = new AbortController();
     this.#fetching = fetching;
     this.#begin();
-    warm();
+    // The kernel begins with the smaller module, which knows no bodies.
+    if (!isBody(this.#given) && !(this.#given === null && isBodyPreset(preset))) warm();
     void this.#open(fetching.signal);
   }
 
@@ -305,6 +317,8 @@ export class DirectrixFigure extends Base {
     try {
       const given = this.#given ?? (await readSource(this.#source, signal));
       if (signal.aborted) return;
+      await this.#suit(isBody(given));
+      if (signal.aborted) return;
       this.#fetching = null;
       this.#scene.open(given);
     } catch (error) {
@@ -312,6 +326,38 @@ export class DirectrixFigure extends Base {
       this.#fetching = null;
       this.#failed("document", error);
     }
+  }
+
+  /** Takes the scene for a document: what shows bodies comes with the first of them. @param {boolean} body */
+  async #suit(body) {
+    if (body === (this.#body !== null)) return;
+    const { size, theme } = this.#scene;
+    const { picture, bar } = this.#frame;
+    if (body) {
+      const { BodyScene } = await import("./body/body-scene.js");
+      // Another document may have come meanwhile, and found the same.
+      if (this.#body) return;
+      const made = new BodyScene(this.#host, { say: (text) => this.#say(text), rested: () => this.#paper.renew() });
+      picture.append(...made.elements);
+      bar.insertBefore(made.buttons, bar.querySelector(".rule"));
+      this.#body = made;
+    } else {
+      for (const element of [...(this.#body?.elements ?? []), ...(this.#body ? [this.#body.buttons] : [])]) element.remove();
+      this.#body = null;
+    }
+    this.#scene.cancel();
+    this.#morph.stop();
+    // It has all that is used of a scene here.
+    this.#scene = this.#body ? /** @type {Scene} */ (/** @type {unknown} */ (this.#body)) : this.#curves;
+    this.#dress();
+    this.#scene.theme = theme;
+    this.#scene.resize(size);
+  }
+
+  #dress() {
+    const { ownerDocument } = this;
+    const root = /** @type {ShadowRoot} */ (this.shadowRoot);
+    root.adoptedStyleSheets = [sheetOf(ownerDocument), ...(this.#body ? [this.#body.sheet(ownerDocument)] : [])];
   }
 
   get #source() {
@@ -470,6 +516,7 @@ export class DirectrixFigure extends Base {
       isRevealed,
       hasLink: this.getAttribute("editor") !== "none",
       layers: this.#scene.shownLayers,
+      hasLayers: this.#scene.hasLayers,
       growth: this.#isGrowth && this.#scene.steps ? { step: this.#step, steps: this.#steps } : null,
     });
     return isRevealed;
@@ -505,7 +552,7 @@ export class DirectrixFigure extends Base {
     if (!state) return;
     const { writeLink } = await import("../link.js");
     const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#view);
+    const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#body ? "figure" : this.#view);
     editor.hash = writeLink({
       document: state,
       ...(view === "figure" ? {} : { view }),

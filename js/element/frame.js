@@ -13,6 +13,7 @@
  * @property {boolean} isRevealed
  * @property {boolean} hasLink
  * @property {LayerName[]} layers
+ * @property {boolean} hasLayers
  * @property {{ step: number, steps: number } | null} growth the step that is shown of the greedy growth
  */
 import { attribute, h, icon, write } from "./dom.js";
@@ -96,8 +97,8 @@ export function createFrame(actions) {
 }
 
 /** @param {FigureResult} result */
-function certificate({ lines, verified, eta, crossings, text }) {
-  if (lines === 0) return [h("span", { class: "failed" }, text)];
+function certificate({ ok, lines, verified, eta, crossings, text, brief }) {
+  if (lines === 0) return [...(verified ? [icon("check")] : []), h("span", { class: ok ? "fact" : "failed" }, brief ?? text)];
   const fact = (/** @type {string} */ name, /** @type {boolean} */ failed, /** @type {(Node | string)[]} */ ...content) =>
     h("span", { class: `${name}${failed ? " failed" : ""}` }, ...content);
   const says = words.result;
@@ -131,8 +132,8 @@ function createLayers(change) {
   return {
     element,
     /** @param {Look} look */
-    render({ controls, layers, growth }) {
-      element.hidden = controls !== "full" || growth !== null;
+    render({ controls, layers, hasLayers, growth }) {
+      element.hidden = controls !== "full" || growth !== null || !hasLayers;
       for (const { name, input } of boxes) input.checked = layers.includes(/** @type {LayerName} */ (name));
     },
   };

@@ -12,6 +12,8 @@ const STEP = 0.01;
  * @property {() => number} s the place, 0 to 1
  * @property {() => number} stages places where it stands on a stage, or a step, less one
  * @property {() => boolean} isGrowth whether the stages are steps of the growth
+ * @property {() => string} slider what the slider is for, besides steps
+ * @property {() => string | null} spoken the place in words; null where it is s
  * @property {(s: number) => void} change
  * @property {() => boolean} isSeen whether anybody can see the figure now
  * @property {(text: string) => void} say
@@ -73,9 +75,10 @@ export class Morph {
     const s = this.#host.s();
     const isGrowth = this.#host.isGrowth();
     attribute(this.#input, "step", isGrowth ? "any" : String(STEP));
-    attribute(this.#input, "aria-label", isGrowth ? words.growth.slider : words.morph.slider);
-    this.#letter.hidden = isGrowth;
-    write(this.#value, isGrowth ? `${this.#stage} / ${this.#host.stages()}` : fixed(s, 2));
+    attribute(this.#input, "aria-label", isGrowth ? words.growth.slider : this.#host.slider());
+    const isCut = this.#host.spoken() !== null;
+    this.#letter.hidden = isGrowth || isCut;
+    write(this.#value, isGrowth ? `${this.#stage} / ${this.#host.stages()}` : `${isCut ? `${this.#host.slider()} ` : ""}${fixed(s, 2)}`);
     if (Number(this.#input.value) !== s) this.#input.value = String(s);
     this.#slider.style.setProperty("--fill", String(s));
     attribute(this.#input, "aria-valuetext", this.#spoken);
@@ -127,7 +130,8 @@ export class Morph {
   }
 
   get #spoken() {
-    return this.#host.isGrowth() ? words.growth.step(this.#stage, this.#host.stages()) : words.morph.place(fixed(this.#host.s(), 2));
+    if (this.#host.isGrowth()) return words.growth.step(this.#stage, this.#host.stages());
+    return this.#host.spoken() ?? words.morph.place(fixed(this.#host.s(), 2));
   }
 
   /** To the next curve in between, and from the last back to the first. */

@@ -7,7 +7,6 @@
  * @import { Scene } from "./scene.js"
  */
 import { Lane } from "./kernel.js";
-import { show } from "./scene.js";
 
 /** Milliseconds of rest. */
 const REST = 1500;
@@ -23,7 +22,7 @@ export class Paper {
   #address = "";
   #painted = "";
 
-  /** @param {Scene} scene @param {HTMLImageElement} image */
+  /** @param {() => Scene} scene what is shown @param {HTMLImageElement} image */
   constructor(scene, image) {
     this.#scene = scene;
     this.#image = image;
@@ -56,17 +55,14 @@ export class Paper {
 
   /** @param {import("./kernel.js").Kernel} kernel @param {AbortSignal} signal */
   async #paint(kernel, signal) {
-    const { document, size, result } = this.#scene;
+    const scene = this.#scene();
+    const { document, size, result } = scene;
     if (!document || !result || size.width < 1 || size.height < 1) return;
-    const text = JSON.stringify(document);
-    const options = this.#scene.options(RATIO, "light");
-    const key = JSON.stringify([text, options]);
+    const options = scene.options(RATIO, "light");
+    const key = JSON.stringify([document, options]);
     if (key === this.#painted) return;
-    const picture = await kernel.call("paint", [text, { ...options, layers: options.layers.filter((name) => name !== "controlPoints") }], {
-      signal,
-    });
     const canvas = globalThis.document.createElement("canvas");
-    show(canvas, picture);
+    await scene.print(canvas, options, kernel, signal);
     /** @type {Blob | null} */
     const blob = await new Promise((resolve) => canvas.toBlob(resolve));
     if (!blob || signal.aborted) return;

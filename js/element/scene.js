@@ -13,6 +13,7 @@ import { isInSpace } from "./in-space.js";
 import { isWhole, Lane } from "./kernel.js";
 import { fitting, toScreen } from "./plane.js";
 import { summary } from "./result.js";
+import { words } from "./words.js";
 
 /** Device pixels painted at most while something moves, and the pause after which all of them are. */
 const MOVING_PIXELS = 1_000_000;
@@ -66,6 +67,10 @@ export class Scene {
   theme = "light";
   /** @type {LayerName[] | null} what the person has chosen */
   layers = null;
+  hasLayers = true;
+  /** What the slider is for, and its place in words where that is not s. */
+  slider = words.morph.slider;
+  spoken = null;
 
   #host;
   #lane;
@@ -182,6 +187,19 @@ export class Scene {
   /** Paints again when anything that a picture depends on has changed. */
   refresh() {
     this.#changed();
+  }
+
+  /**
+   * A picture apart from that of the screen, without control points.
+   *
+   * @param {HTMLCanvasElement} canvas
+   * @param {ReturnType<Scene["options"]>} options
+   * @param {Kernel} kernel
+   * @param {AbortSignal} signal
+   */
+  async print(canvas, options, kernel, signal) {
+    const layers = options.layers.filter((name) => name !== "controlPoints");
+    show(canvas, await kernel.call("paint", [JSON.stringify(this.document), { ...options, layers }], { signal }));
   }
 
   /** Gives up what is asked for. */

@@ -7,7 +7,7 @@
  * @typedef {object} Question What a fact is asked about.
  * @property {Directrix} dx
  * @property {any} document of the figure, with its changes
- * @property {"figure" | "steps"} view
+ * @property {"figure" | "steps" | "body"} view
  *
  * @typedef {object} FactKind
  * @property {number} arguments numbers behind its name
@@ -58,6 +58,52 @@ function fraction({ dx, document }, material, s) {
   return first;
 }
 
+/** The only cell of a body. @param {Question} question */
+const cellOf = ({ dx, document }) => dx.hyperpatch(document);
+
+/** Parameters at which a cubic is known from four of its values. */
+const NODES = [0, 1 / 3, 2 / 3, 1];
+
+/**
+ * The derivative at t of the cubic through four values at the nodes: exact for what is cubic along its parameter.
+ * @param {number[]} values
+ * @param {number} t
+ */
+function slope(values, t) {
+  return values.reduce((sum, value, n) => {
+    const others = NODES.filter((_, m) => m !== n);
+    const below = others.reduce((product, node) => product * (NODES[n] - node), 1);
+    const [a, b, c] = others.map((node) => t - node);
+    return sum + (value * (a * b + b * c + a * c)) / below;
+  }, 0);
+}
+
+/** The Jacobian determinant, from positions that the kernel gives. @param {Question} question @param {number[]} uvw */
+function jacobian(question, uvw) {
+  const body = cellOf(question);
+  const tangents = [0, 1, 2].map((axis) => {
+    const along = NODES.map((node) => body.sample(0, /** @type {[number, number, number]} */ (uvw.map((own, k) => (k === axis ? node : own)))).position);
+    return [0, 1, 2].map((k) => slope(along.map((position) => position[k]), uvw[axis]));
+  });
+  const [a, b, c] = tangents;
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/**
+ * The weight of a coefficient at a place: how far the place goes when the coefficient goes by 1, which is asked of the kernel.
+ * @param {Question} question
+ * @param {number} i
+ * @param {number} j
+ * @param {number} k
+ * @param {...number} uvw
+ */
+function weight({ dx, document }, i, j, k, ...uvw) {
+  const moved = structuredClone(document);
+  moved.operations[0].cells[0].coefficients[(4 * i + j) * 4 + k].position[0] += 1;
+  const [x, before] = [moved, document].map((each) => dx.hyperpatch(each).sample(0, /** @type {[number, number, number]} */ (uvw)).position[0]);
+  return x - before;
+}
+
 /** @type {{[name: string]: FactKind}} */
 export const FACTS = {
   samples: { arguments: 1, meaning: "samples of curve 1 or 2", of: (question, curve) => result(question).samples[curve - 1]?.points.length ?? NaN },
@@ -84,6 +130,19 @@ export const FACTS = {
   to: { arguments: 1, meaning: "vertex where a line of the growth ends", of: (question, number) => grown(question, number).to },
   visible: { arguments: 1, meaning: "size of V where a line of the growth starts", of: (question, number) => setsOf(question, number).visible.length },
   valid: { arguments: 1, meaning: "size of R there", of: (question, number) => setsOf(question, number).valid.length },
+  coefficients: { arguments: 0, meaning: "coefficients of the cell", of: ({ document }) => document.operations[0].cells[0].coefficients.length },
+  weight: { arguments: 6, meaning: "weight of the coefficient i, j, k at u, v, w", of: weight },
+  position: { arguments: 4, meaning: "coordinate (1 to 3) of the place u, v, w", of: (question, axis, ...uvw) => cellOf(question).sample(0, /** @type {any} */ (uvw)).position[axis - 1] },
+  mix: { arguments: 4, meaning: "fraction of a material (from 1) at u, v, w", of: (question, material, ...uvw) => cellOf(question).sample(0, /** @type {any} */ (uvw)).mix[material - 1] },
+  jacobian: { arguments: 3, meaning: "J at u, v, w", of: (question, ...uvw) => jacobian(question, uvw) },
+  "jacobian-corners": {
+    arguments: 0,
+    meaning: "least J at the eight corners",
+    of: (question) => Math.min(...Array.from({ length: 8 }, (_, n) => jacobian(question, [n >> 2, (n >> 1) & 1, n & 1]))),
+  },
+  "jacobian-least": { arguments: 0, meaning: "what J is proven to be at least", of: (question) => cellOf(question).verdicts()[0]?.leastJacobianBound ?? NaN },
+  regularity: { arguments: 0, meaning: "regularity, -1 to 1", of: (question) => cellOf(question).verdicts()[0]?.margin ?? NaN },
+  volume: { arguments: 0, meaning: "volume of the body", of: (question) => cellOf(question).volume() },
   candidates: {
     arguments: 1,
     meaning: "size of V ∩ R there",

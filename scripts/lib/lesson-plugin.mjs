@@ -9,6 +9,8 @@ import { root } from "./paths.mjs";
 
 export const lessonFolder = join(root, "www/lessons");
 const presetFolder = join(root, "www/presets");
+/** Presets of bodies, whose names begin with that of their folder. */
+const BODIES = "hyperpatch";
 const STYLE = /\/katex\/dist\/katex\.css$/;
 const LESSON = /\/www\/lessons\/([^/?]+)\.md(\?head)?$/;
 /** Fonts of what lessons set; a browser fetches those that a formula on the page uses. */
@@ -16,8 +18,8 @@ const FONTS = /KaTeX_(Main-Regular|Main-Bold|Main-Italic|Math-Italic|AMS-Regular
 
 /** Names of the documents that figures of lessons may show: presets, and documents beside the lessons. */
 export async function documentNames() {
-  const [presets, own] = await Promise.all([presetFolder, lessonFolder].map((folder) => readdir(folder)));
-  return [...(presets ?? []), ...(own ?? [])]
+  const [presets = [], own = [], bodies = []] = await Promise.all([presetFolder, lessonFolder, join(presetFolder, BODIES)].map((folder) => readdir(folder)));
+  return [...presets, ...own, ...bodies.map((file) => `${BODIES}-${file}`)]
     .filter((file) => file.endsWith(".json") && file !== "index.json")
     .map((file) => basename(file, ".json"))
     .sort();
@@ -25,7 +27,8 @@ export async function documentNames() {
 
 /** @param {string} name */
 export async function documentNamed(name) {
-  const texts = await Promise.allSettled([lessonFolder, presetFolder].map((folder) => readFile(join(folder, `${name}.json`), "utf8")));
+  const paths = [join(lessonFolder, name), join(presetFolder, name), join(presetFolder, BODIES, name.replace(`${BODIES}-`, ""))];
+  const texts = await Promise.allSettled(paths.map((path) => readFile(`${path}.json`, "utf8")));
   const found = texts.find((each) => each.status === "fulfilled");
   if (!found) throw new Error(`there is no document ${name}`);
   return JSON.parse(found.value);

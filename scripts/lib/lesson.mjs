@@ -7,10 +7,13 @@
  * @typedef {object} Figure
  * @property {string} document name of a preset, or of a document beside the lessons
  * @property {[string, unknown][]} changes of the document: path and value
- * @property {"figure" | "steps"} view
+ * @property {"figure" | "steps" | "body"} view
  * @property {string[] | null} layers of the view `figure`; those of the document when null
  * @property {number | null} s place of the current in-between curve
  * @property {Moment | null} step of the view `steps`
+ * @property {[number, number, number] | null} point of the view `body`: u, v and w of the place that is marked
+ * @property {[number, number, number] | null} coefficient of the view `body`: the one that is chosen
+ * @property {"weights" | "material" | "jacobian" | null} reading of the view `body`: what stands below it
  * @property {"full" | "minimal" | "none"} controls
  * @property {string} caption HTML
  * @property {string} alt what the picture shows, in plain words
@@ -44,11 +47,16 @@
 import { escaped, mathematics, prose } from "./lesson-text.mjs";
 
 const LESSON_FIELDS = ["group", "order", "summary"];
-const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", "controls", "set", "caption", "alt"];
+const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", "point", "coefficient", "reading", "controls", "set", "caption", "alt"];
 const LAYERS = [
   ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
   "isoComposition",
 ];
+/** Fields that belong to figures of one view, with that view. */
+const OWN_FIELDS = /** @type {const} */ ([
+  ...[["layers", "figure"], ["s", "figure"], ["step", "steps"]],
+  ...[["point", "body"], ["coefficient", "body"], ["reading", "body"]],
+]);
 /** Paths of a document that `set` may change. */
 const PATH = /^(sampling|matching|blend|curves\.[01])\.[a-zA-Z]+$/;
 
@@ -218,7 +226,7 @@ function readQuestion(text, at, { step }, html, refuse) {
 function readFigure(fields, base, documents, facts, refuse) {
   const of = (/** @type {string} */ name) => fields.get(name)?.[0];
   const required = (/** @type {string} */ name) => of(name) ?? refuse(base, name, "every step has one");
-  /** @template {string} T @param {string} name @param {readonly T[]} values @param {T} other @returns {T} */
+  /** @template {string | null} T @param {string} name @param {readonly T[]} values @param {T} other @returns {T} */
   const oneOf = (name, values, other) => {
     const given = of(name);
     if (!given) return other;
@@ -227,11 +235,24 @@ function readFigure(fields, base, documents, facts, refuse) {
   };
   const document = required("figure");
   if (!documents.includes(document.value)) refuse(document.at, "figure", `there is no document "${document.value}"; there are: ${documents.join(", ")}`);
-  const view = oneOf("view", /** @type {const} */ (["figure", "steps"]), "figure");
-  for (const [name, needed] of /** @type {const} */ ([["layers", "figure"], ["s", "figure"], ["step", "steps"]])) {
+  const view = oneOf("view", /** @type {const} */ (["figure", "steps", "body"]), "figure");
+  for (const [name, needed] of OWN_FIELDS) {
     const given = of(name);
     if (given && view !== needed) refuse(given.at, name, `belongs to figures of the view ${needed}`);
   }
+  if (view === "body") {
+    if (!document.value.startsWith("hyperpatch-")) refuse(document.at, "figure", `"${document.value}" is no body: their names begin with hyperpatch-`);
+    const change = of("set");
+    if (change) refuse(change.at, "set", "changes curves; a figure of the view body shows its document as it is");
+  } else if (document.value.startsWith("hyperpatch-")) refuse(document.at, "figure", `"${document.value}" is a body, which the view body shows`);
+  /** @param {string} name @param {(value: number) => boolean} fits @param {string} expected @returns {[number, number, number] | null} */
+  const three = (name, fits, expected) => {
+    const given = of(name);
+    if (!given) return null;
+    const numbers = given.value.split(" ").map(Number);
+    if (numbers.length !== 3 || !numbers.every(fits)) refuse(given.at, name, `${expected}, not "${given.value}"`);
+    return /** @type {[number, number, number]} */ (numbers);
+  };
   const layers = of("layers")?.value.split(/\s*,\s*/) ?? null;
   const unknown = layers?.find((layer) => !LAYERS.includes(layer));
   if (unknown !== undefined) refuse(of("layers")?.at ?? base, "layers", `there is no layer "${unknown}"; there are: ${LAYERS.join(", ")}`);
@@ -250,6 +271,9 @@ function readFigure(fields, base, documents, facts, refuse) {
     layers,
     s: s ? Number(s.value) : null,
     step: step ? readMoment(step.value, step.at, refuse) : null,
+    point: three("point", (value) => value >= 0 && value <= 1, "u, v and w, each from 0 to 1, with a blank between them"),
+    coefficient: three("coefficient", (value) => Number.isInteger(value) && value >= 0 && value <= 3, "i, j and k, each 0, 1, 2 or 3, with a blank between them"),
+    reading: oneOf("reading", /** @type {const} */ (["weights", "material", "jacobian"]), null),
     controls: oneOf("controls", /** @type {const} */ (["full", "minimal", "none"]), "minimal"),
     caption: told.html,
     alt: escaped(alt) === alt ? alt : refuse(of("alt")?.at ?? base, "alt", "is plain text, without < > & and quotation marks"),

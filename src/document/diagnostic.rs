@@ -25,6 +25,8 @@ pub enum Diagnostic {
         at: DVec2,
         /// Turn of the tangent in degrees, positive to the left.
         turn: f64,
+        /// The bisector that stands in for the normal, a unit vector to the right of the counter-clockwise curve.
+        normal: DVec2,
     },
     /// A curve would need more than 1000 adaptive samples: it has 1000, where they help most.
     SampleLimit {

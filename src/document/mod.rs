@@ -39,6 +39,8 @@ mod solve;
 mod space;
 #[cfg(feature = "stack")]
 mod stack;
+#[cfg(feature = "field")]
+mod transform_options;
 mod work;
 
 #[cfg(feature = "amounts")]
@@ -86,3 +88,5 @@ pub use solid_options::{SolidColor, SolidOptions};
 pub use solve::{Gap, GapKind, Outcome, Solution, Solve};
 #[cfg(feature = "stack")]
 pub use stack::{Stacked, span_document};
+#[cfg(feature = "field")]
+pub use transform_options::TransformOptions;

@@ -357,16 +357,17 @@ fn why_unmatched(curves: &[BSpline; 2], gap: f64, error: ProblemError) -> Diagno
 }
 
 pub(super) fn curve_remarks(model: &Model) -> Vec<Diagnostic> {
-    let corners = |(curve, spline): (usize, &BSpline)| {
+    let corners = model.curves().iter().enumerate().flat_map(|(curve, spline)| {
         spline.corners().into_iter().map(move |corner| Diagnostic::Corner {
             curve,
             parameter: corner.u,
             at: corner.at,
             turn: corner.turn,
+            normal: spline.normal(corner.u),
         })
-    };
+    });
     let limits = model.coarse().iter().map(|&curve| Diagnostic::SampleLimit { curve });
-    model.curves().iter().enumerate().flat_map(corners).chain(limits).collect()
+    corners.chain(limits).collect()
 }
 
 fn remarks(weights: Weights, problem: &Problem, matching: &Matching, is_grown: bool) -> Vec<Diagnostic> {

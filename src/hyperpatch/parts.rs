@@ -167,6 +167,12 @@ impl Face {
         std::array::from_fn(|_| starts.next().map_or(0, |at| at + end))
     }
 
+    /// Place of the coefficient one step inside from one on the face.
+    #[must_use]
+    pub fn inside(self, at: usize) -> usize {
+        if self.is_end { at - stride(self.axis) } else { at + stride(self.axis) }
+    }
+
     /// Parameters of the point at (`s`, `t`) on the face, along its two axes in order.
     #[must_use]
     pub fn parameters(self, s: f64, t: f64) -> DVec3 {

@@ -28,6 +28,8 @@ mod solid;
 mod stack;
 #[cfg(feature = "svg")]
 mod svg;
+#[cfg(feature = "field")]
+mod transform;
 
 use js_sys::Reflect;
 use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};

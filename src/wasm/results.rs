@@ -137,6 +137,8 @@ pub(super) struct DiagnosticResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     turn: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    normal: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     at: Option<[f64; 2]>,
 }
 
@@ -332,10 +334,11 @@ impl From<&Diagnostic> for DiagnosticResult {
     fn from(diagnostic: &Diagnostic) -> Self {
         let mut result = Self { code: diagnostic.code(), message: diagnostic.to_string(), ..Self::default() };
         match diagnostic {
-            Diagnostic::Corner { curve, parameter, at, turn } => {
+            Diagnostic::Corner { curve, parameter, at, turn, normal } => {
                 result.curve = Some(*curve);
                 result.parameter = Some(*parameter);
                 result.turn = Some(*turn);
+                result.normal = Some(normal.to_array());
                 result.at = Some(at.to_array());
             }
             Diagnostic::OpposedNormals { lines }

@@ -123,6 +123,12 @@ test("figures come alive as they are reached, without moving the text", async ()
     assert.equal(results[0].eta?.toFixed(3), "1.000");
     const shifted = await page.evaluate(() => /** @type {any} */ (globalThis).shifts.total);
     assert.ok(shifted < 0.02, `what was there moved by ${shifted}`);
+    // Bodies come alive as well, on a page that came by a link.
+    await page.locator(".VPSidebar").getByRole("link", { name: "Hyperpatches" }).click();
+    await page.locator("h1", { hasText: "Hyperpatches" }).waitFor();
+    assert.equal((await resultOf(page, 0)).body?.cells, 8);
+    assert.equal((await resultOf(page, 1)).body?.invalid, 1);
+    assert.deepEqual(await audit(page), [], "hyperpatches.html");
   });
 });
 

@@ -127,6 +127,18 @@ test("a line is explained by its parts, its rank and its rivals", async () => {
   assert.equal(refused(() => dx.explain(amoeba, 0)).code, "not-in-module");
 });
 
+test("corners carry the bisector that stands for their normal", async () => {
+  const square = JSON.parse(await readFile(new URL("www/presets/sharp-square.json", root), "utf8"));
+  const corners = dx.match(square).diagnostics.filter(({ code }) => code === "corner");
+  assert.equal(corners.length, 4);
+  for (const { curve, turn, at, normal } of corners) {
+    assert.ok(curve === 0 && Math.abs((turn ?? 0) - 90) < 1e-9 && at && normal);
+    // The square lies about the origin: its diagonals bisect the sides.
+    const [x, y] = at.map((value) => value / Math.hypot(...at));
+    assert.ok(Math.hypot(normal[0] - x, normal[1] - y) < 1e-9, `${normal}`);
+  }
+});
+
 test("one-to-one pairs ascend, are verified, and carry the band", () => {
   const document = { ...amoeba, matching: { ...amoeba.matching, oneToOne: true } };
   const match = dx.match(document);

@@ -7,6 +7,7 @@ import { load } from "directrix";
 import { FACTS, isTrue } from "../../scripts/lib/lesson-facts.mjs";
 import { documentNamed, documentNames, lessonFolder } from "../../scripts/lib/lesson-plugin.mjs";
 import { readLesson } from "../../scripts/lib/lesson.mjs";
+import { jacobianAt, leastAtCorners, weightsAt } from "../../www/src/lessons/cell-sum.js";
 import { figureDocument, momentOf } from "../../www/src/lessons/document.js";
 import { lengths, phaseAt } from "../../www/src/steps/film.js";
 
@@ -19,7 +20,7 @@ const sources = new Map(await Promise.all(names.map(async (name) => /** @type {c
 const lessonNamed = (name) => readLesson(name, sources.get(name) ?? "", documents);
 
 test("there are lessons, each with a place of its own in the list", () => {
-  for (const name of ["heterogeneous-object", "why-matching", "greedy"]) assert.ok(names.includes(name), name);
+  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch"]) assert.ok(names.includes(name), name);
   const orders = names.map((name) => lessonNamed(name).lesson.order);
   assert.equal(new Set(orders).size, names.length);
 });
@@ -29,8 +30,10 @@ for (const name of names) {
     const { lesson, facts } = lessonNamed(name);
     let count = 0;
     for (const [k, { title, figure }] of lesson.steps.entries()) {
-      const document = dx.defaults(figureDocument(await documentNamed(figure.document), figure));
-      if (figure.view === "steps") {
+      const source = figureDocument(await documentNamed(figure.document), figure);
+      const document = figure.view === "body" ? source : dx.defaults(source);
+      if (figure.view === "body") assert.equal(dx.hyperpatch(/** @type {any} */ (document)).cells.length, 1, `${name}, step ${k + 1}: a figure of the view body shows one cell`);
+      else if (figure.view === "steps") {
         const steps = dx.steps(document);
         const { phase, index = 1 } = figure.step ?? {};
         const own = lengths(steps);
@@ -95,6 +98,25 @@ function ring(count) {
   return { directrix: 1, kind: "curves", curves: [curve(10), curve(30)], sampling: { counts: [count, count] }, matching: { method: "greedy" } };
 }
 
+test("what a figure of a cell sums up is what the kernel has", async () => {
+  const document = await documentNamed("hyperpatch-twisted");
+  const body = dx.hyperpatch(document);
+  const [cell] = document.operations[0].cells;
+  const question = { dx, document, view: /** @type {const} */ ("body") };
+  for (const uvw of /** @type {[number, number, number][]} */ ([[0, 0, 0], [1, 0, 1], [0.2, 0.4, 0.8], [0.5, 0.5, 0.5], [0.93, 0.07, 0.31]])) {
+    const weights = weightsAt(uvw);
+    assert.ok(Math.abs(weights.reduce((sum, each) => sum + each, 0) - 1) < 1e-14);
+    const { position } = body.sample(0, uvw);
+    for (const axis of [0, 1, 2]) {
+      const sum = weights.reduce((all, weight, n) => all + weight * cell.coefficients[n].position[axis], 0);
+      assert.ok(Math.abs(sum - position[axis]) < 1e-12, `${uvw}`);
+    }
+    const found = jacobianAt(cell, uvw);
+    assert.ok(Math.abs(found - /** @type {any} */ (FACTS.jacobian).of(question, ...uvw)) < 1e-10, `${uvw}: ${found}`);
+  }
+  assert.ok(leastAtCorners(cell) >= body.verdicts()[0].leastJacobianBound);
+});
+
 test("numbers in a text are held against the kernel to the digits shown", () => {
   assert.ok(isTrue("44", 44) && !isTrue("44", 44.2) && !isTrue("44", 45));
   assert.ok(isTrue("0.969", 0.96926) && !isTrue("0.969", 0.9696) && !isTrue("0.969", 0.9684));
@@ -139,6 +161,9 @@ test("the smallest lesson is read", () => {
   assert.deepEqual(lesson.steps[0]?.blocks.map(({ kind }) => kind), ["text", "figure", "question"]);
 });
 
+/** The same with a figure of a cell. @param {string} text */
+const bodied = (text) => text.replace("figure: amoeba", "figure: hyperpatch-cell\nview: body").replace("(lines)", "(net)");
+
 /** @type {[string, (text: string) => string, RegExp][]} */
 const BAD = [
   ["no title", (t) => t.replace("# A title\n", "\n"), /^small\.md, line 1, title: a lesson begins with/],
@@ -153,7 +178,13 @@ const BAD = [
   ["an empty field", (t) => t.replace("alt: What is seen.", "alt:"), /line 9, alt: the field is empty/],
   ["an unknown layer", (t) => t.replace("caption:", "layers: material, lines\ncaption:"), /layers: there is no layer "lines"; there are: material/],
   ["an s out of range", (t) => t.replace("caption:", "s: 1.5\ncaption:"), /s: a number from 0 to 1, not "1\.5"/],
-  ["an unknown view", (t) => t.replace("caption:", "view: film\ncaption:"), /view: one of figure, steps, not "film"/],
+  ["an unknown view", (t) => t.replace("caption:", "view: film\ncaption:"), /view: one of figure, steps, body, not "film"/],
+  ["a body shown as curves", (t) => t.replace("amoeba", "hyperpatch-cell"), /line 7, figure: "hyperpatch-cell" is a body, which the view body shows/],
+  ["curves shown as a body", (t) => t.replace("caption:", "view: body\ncaption:").replace("(lines)", "(net)"), /line 7, figure: "amoeba" is no body/],
+  ["a change of a body", (t) => bodied(t).replace("caption:", "set: blend.stages = 3\ncaption:"), /set: changes curves/],
+  ["a place outside the cell", (t) => bodied(t).replace("caption:", "point: 0 0.5 1.2\ncaption:"), /point: u, v and w, each from 0 to 1, with a blank between them, not "0 0\.5 1\.2"/],
+  ["a coefficient that is not there", (t) => bodied(t).replace("caption:", "coefficient: 1 4 0\ncaption:"), /coefficient: i, j and k, each 0, 1, 2 or 3/],
+  ["an unknown reading", (t) => bodied(t).replace("caption:", "reading: volume\ncaption:"), /reading: one of weights, material, jacobian, not "volume"/],
   ["a step of the wrong view", (t) => t.replace("caption:", "step: end\ncaption:"), /step: belongs to figures of the view steps/],
   ["a view without its step", (t) => t.replace("caption:", "view: steps\ncaption:").replace("(lines)", "(winner)"), /step: a figure of the view steps names one/],
   ["an unknown moment", (t) => t.replace("caption:", "view: steps\nstep: growth 0\ncaption:"), /step: start, end, or growth, removal or insertion with a number/],

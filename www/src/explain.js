@@ -65,7 +65,7 @@ export function advice({ ok, diagnostics, totals, spans }) {
     return `${words.notCovered(a.length, b.length)} ${why}`;
   }
   // A whole result may still hold less than was asked for.
-  const first = ok ? diagnostics.find(({ code }) => SHORTFALLS.includes(code)) : (has("unverified") ?? diagnostics[0]);
+  const first = ok ? diagnostics.find(({ code }) => SHORTFALLS.includes(code)) : (has("unverified") ?? diagnostics.find(({ code }) => code !== "corner"));
   if (!first) return null;
   const known = /** @type {{[code: string]: unknown}} */ (words)[first.code];
   return typeof known === "string" ? known : first.message;

@@ -295,6 +295,9 @@ function createCurves(app, choose) {
       import("./stage/probe-card.js").then(({ createProbeCard }) => createProbeCard),
     ),
     later(app, ({ witness }) => witness !== null, () => import("./stage/witness-mark.js").then(({ createWitness }) => createWitness)),
+    later(app, () => app.results.value.match?.diagnostics.some(({ code }) => code === "corner") ?? false, () =>
+      import("./stage/corners.js").then(({ createCorners }) => createCorners),
+    ),
     later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
       import("./lines/lines.js").then(({ createLines }) => createLines),
     ),

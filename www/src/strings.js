@@ -491,6 +491,7 @@ export const strings = {
     uncovered: "uncovered",
     gaps: "gaps kept",
     occluded: "occluded",
+    corners: (/** @type {number} */ count) => (count === 1 ? "corner" : "corners"),
     ms: "ms",
     show: (/** @type {string} */ what) => `Show ${what}`,
     gap: "gap to optimum",
@@ -538,7 +539,6 @@ export const strings = {
     "coarse-sampling": "The samples are too coarse for this shape. Raise them.",
     "unverified-gap": "Some gaps do not fit one to one; their lines share ends. Raise the samples.",
     "sample-limit": "A curve has all 1000 samples and would need more. Raise the tolerance or the turn.",
-    corner: "A corner has no single normal; its bisector is used.",
     "opposed-normals": "Some lines join normals that point against each other.",
   },
 

@@ -34,6 +34,13 @@ export function nextWitness(app, name) {
   const index = (turn[name] ?? 0) % places.length;
   turn[name] = index + 1;
   const at = /** @type {Point} */ (places[index]);
+  app.ui.set({ witness: at });
+  bring(app, at);
+  app.say(`${strings.status[name]} ${index + 1}: x ${coordinate(at[0])}, y ${coordinate(at[1])}`);
+}
+
+/** Brings a place to the middle of the canvas, unless it is well inside already. @param {App} app @param {Point} at */
+export function bring(app, at) {
   const { view, size } = app.ui.value;
   if (!view) return;
   const [x, y] = toScreen(view, size, at);
@@ -42,8 +49,7 @@ export function nextWitness(app, name) {
     x < size.width * (1 - MARGIN) &&
     y > size.height * MARGIN &&
     y < size.height * (1 - MARGIN);
-  app.ui.set({ witness: at, ...(inside ? {} : { view: { ...view, center: at }, fitted: false }) });
-  app.say(`${strings.status[name]} ${index + 1}: x ${coordinate(at[0])}, y ${coordinate(at[1])}`);
+  if (!inside) app.ui.set({ view: { ...view, center: at }, fitted: false });
 }
 
 /**

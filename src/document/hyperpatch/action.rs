@@ -279,3 +279,84 @@ fn write_mix<S: Serializer>(mix: &Composition, to: S) -> Result<S::Ok, S::Error>
 fn write_some_mix<S: Serializer>(mix: &Option<Composition>, to: S) -> Result<S::Ok, S::Error> {
     to.collect_seq(mix.iter().flat_map(|mix| mix.fractions()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::read_hyperpatch;
+    use serde_json::{Value, json};
+
+    fn cube() -> Value {
+        let coefficient = |at: usize| json!({"position": [at / 16, at / 4 % 4, at % 4], "mix": [0.25, 0.75]});
+        json!({"coefficients": (0..64).map(coefficient).collect::<Vec<_>>()})
+    }
+
+    fn document(operations: &Value) -> Json {
+        Json::from(json!({"directrix": 1, "kind": "hyperpatch", "operations": operations}))
+    }
+
+    /// Every operation with all defaults spelt out is written as it was read.
+    #[test]
+    fn what_is_written_is_what_was_read() {
+        let list = json!([
+            {"id": 0, "op": "cells", "cells": [cube()]},
+            {"id": 1, "op": "move", "cell": 0, "at": [0, 1, 3], "by": [0.5, -1.0, 0.0], "reach": "single"},
+            {"id": 2, "op": "continuity", "cell": 0, "face": "v1", "corner": [0, 1, 0], "shape": "none", "material": "C1"},
+            {"id": 3, "op": "continuity", "cell": 0, "face": "w0", "shape": "C0"},
+            {"id": 4, "op": "mix", "mix": [0.5, 0.5], "cells": [0, 7]},
+            {"id": 5, "op": "mix", "mix": [0.5, 0.5], "cell": 0, "corner": [1, 0, 1], "within": [0]},
+            {"id": 6, "op": "mix", "mix": [0.5, 0.5], "cell": 0, "corner": [1, 0, 1]},
+            {"id": 7, "op": "mix", "mix": [0.5, 0.5], "cell": 0, "at": [1, 2, 3]},
+            {"id": 8, "op": "slope", "cell": 0, "corner": [1, 1, 1], "rule": "natural"},
+            {"id": 9, "op": "delete", "cells": [99999999]},
+            {"id": 20, "op": "copy", "cells": [0], "by": [1.0, 2.0, 3.0]},
+            {"id": 11, "op": "mirror", "cells": [0], "normal": [0.0, 2.0, 0.0], "offset": -1.5, "keep": false},
+            {"id": 12, "op": "reorient", "cells": [0]},
+            {"id": 13, "op": "extrude", "faces": [{"cell": 0, "face": "u1"}], "by": 0.25, "start": "C1", "normals": "surface", "mix": [1.0, 0.0]},
+            {"id": 14, "op": "subdivide", "cell": 0, "axis": "w", "at": 0.25},
+        ]);
+        let read = read_hyperpatch(&document(&list)).unwrap();
+        let written = serde_json::to_value(&read).unwrap();
+        assert_eq!(Json::from(written["operations"].clone()), Json::from(list.clone()));
+        let names: Vec<_> =
+            read.operations.iter().map(|(_, operation)| Action::NAMES[operation.action.kind()]).collect();
+        let expected: Vec<_> =
+            list.as_array().unwrap().iter().map(|item| item["op"].as_str().unwrap()).collect();
+        assert_eq!(names, expected);
+    }
+
+    /// The cells of an operation may come one after the other, and what is wrong has the same path then.
+    #[test]
+    fn cells_that_come_apart_make_the_same_operation() {
+        let whole = json!({"op": "cells", "id": 5, "cells": [cube(), cube()]});
+        let mut reading =
+            OperationReading::new(&Json::from(json!({"op": "cells", "id": 5})), 3, 2, true).unwrap();
+        reading.add(&Json::from(cube())).unwrap();
+        let mut wrong = cube();
+        wrong["coefficients"][7]["mix"] = json!([1]);
+        assert_eq!(
+            reading.add(&Json::from(wrong)).unwrap_err().path,
+            "operations[3].cells[1].coefficients[7].mix"
+        );
+        reading.add(&Json::from(cube())).unwrap();
+        let expected = OperationReading::new(&Json::from(whole), 3, 2, false).unwrap().finish();
+        assert_eq!(reading.finish(), expected);
+        let other = OperationReading::new(&Json::from(json!({"op": "delete"})), 3, 2, true);
+        assert_eq!(other.unwrap_err().path, "operations[3].op");
+    }
+
+    #[test]
+    fn numbers_are_given_in_order_and_once() {
+        let ids = |list: Value| {
+            read_hyperpatch(&document(&list))
+                .map(|document| document.operations.iter().map(|(id, _)| *id).collect::<Vec<_>>())
+        };
+        let gone = |id: Option<u32>| match id {
+            Some(id) => json!({"op": "delete", "cells": [0], "id": id}),
+            None => json!({"op": "delete", "cells": [0]}),
+        };
+        assert_eq!(ids(json!([gone(None), gone(Some(7)), gone(Some(3)), gone(None)])), Ok(vec![0, 7, 3, 8]));
+        assert_eq!(ids(json!([gone(None), gone(Some(0))])).unwrap_err().path, "operations[1].id");
+        assert_eq!(ids(json!([gone(Some(9_999)), gone(None)])).unwrap_err().path, "operations[1].id");
+    }
+}

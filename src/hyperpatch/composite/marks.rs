@@ -1,7 +1,6 @@
 //! The continuity that is wanted where cells meet, as far as somebody has said so.
 
 use super::{CellId, Match};
-use crate::hyperpatch::bernstein::stride;
 use crate::hyperpatch::{Axis, Corner, Face};
 use std::collections::BTreeMap;
 
@@ -57,7 +56,7 @@ impl Side {
     /// Place of the coefficient one step inside from one on the face.
     #[must_use]
     pub fn inside(self, at: usize) -> usize {
-        if self.corner.0[self.axis as usize] { at - stride(self.axis) } else { at + stride(self.axis) }
+        self.face().inside(at)
     }
 }
 

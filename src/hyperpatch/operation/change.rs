@@ -1,5 +1,6 @@
 //! What an operation did, or why it does not apply.
 
+use super::star::MOST_AROUND;
 use crate::hyperpatch::composite::{BodyError, CellId};
 use crate::hyperpatch::{CellError, Corner, Face};
 use std::error::Error;
@@ -82,6 +83,13 @@ pub enum OperationError {
         /// The corner of the cell.
         corner: Corner,
     },
+    /// More cells at a corner than are looked at.
+    Crowded {
+        /// A cell at the corner.
+        id: CellId,
+        /// The corner of the cell.
+        corner: Corner,
+    },
     /// A corner that is not on the face.
     OffFace {
         /// The corner.
@@ -133,8 +141,12 @@ impl fmt::Display for OperationError {
             }
             Self::Irregular { id, corner } => write!(
                 f,
-                "the cells at corner {corner} of cell {id} do not lie in a grid of two by two by two; \
-                 such a corner stays a crease"
+                "the cells at corner {corner} of cell {id} do not lie in a grid of two by two by two, \
+                 so that nothing runs on there by itself"
+            ),
+            Self::Crowded { id, corner } => write!(
+                f,
+                "more than {MOST_AROUND} corners of cells lie at corner {corner} of cell {id}; expected no more"
             ),
             Self::OffFace { corner, face } => write!(f, "corner {corner} is not on face {face}"),
             Self::NoNormal { id, face } => write!(

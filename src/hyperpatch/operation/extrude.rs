@@ -98,7 +98,15 @@ fn check_outer(body: &Body, faces: &[(CellId, Face)]) -> Result<(), OperationErr
     let mut users: HashMap<[u32; 4], Vec<(CellId, Face)>> = HashMap::new();
     let mut keys = HashMap::new();
     let wanted: HashSet<&(CellId, Face)> = faces.iter().collect();
-    for (id, cell) in body.cells() {
+    let points = |(id, face): (CellId, Face)| body.cell(id).map(|cell| cell.net().face(face));
+    let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for point in faces.iter().filter_map(|side| points(*side)).flatten() {
+        (lo, hi) = (lo.min(point - tolerance), hi.max(point + tolerance));
+    }
+    for ((id, cell), bounds) in body.cells().iter().zip(body.boxes()) {
+        if !(bounds.0.cmple(hi).all() && lo.cmple(bounds.1).all()) {
+            continue;
+        }
         let numbers = cell.net().corners().map(|point| weld.number(point));
         for face in Face::all() {
             let corners = Corner::all().into_iter().zip(numbers);
@@ -112,7 +120,6 @@ fn check_outer(body: &Body, faces: &[(CellId, Face)]) -> Result<(), OperationErr
             }
         }
     }
-    let points = |(id, face): (CellId, Face)| body.cell(id).map(|cell| cell.net().face(face));
     for &side in faces {
         let (Some(key), Some(here)) = (keys.get(&side), points(side)) else { continue };
         let is_here = |point: &DVec3| here.iter().any(|p| p.distance(*point) <= tolerance);
@@ -153,10 +160,8 @@ struct Walls {
 impl<'a> Parent<'a> {
     fn new(body: &'a Body, id: CellId, face: Face) -> Option<Self> {
         let cell = body.cell(id)?;
-        let step = stride(face.axis);
-        let inside = |at: usize| if face.is_end { at - step } else { at + step };
         let points = cell.net().face(face);
-        let behind = face.coefficients().map(|at| cell.net().0[inside(at)]);
+        let behind = face.coefficients().map(|at| cell.net().0[face.inside(at)]);
         let mut parent = Self { id, face, cell, points, behind, sign: 1.0 };
         let outwards = points.iter().zip(behind).fold(DVec3::ZERO, |sum, (p, q)| sum + (*p - q));
         if parent.area().dot(outwards) < 0.0 {
@@ -207,13 +212,13 @@ impl Walls {
         };
         let mut walls =
             Self { numbers, points: HashMap::new(), behind: HashMap::new(), inner: targets.clone() };
-        for (n, parent) in parents.iter().enumerate() {
-            for at in 0..16 {
-                let number = walls.numbers[n][at];
+        for ((parent, numbers), targets) in parents.iter().zip(&walls.numbers).zip(&targets) {
+            let steps = parent.points.into_iter().zip(targets);
+            for ((number, (start, step)), layer) in numbers.iter().zip(steps).zip(parent.behind) {
                 // The first face to have a point decides on it, so that the others get the same bits.
-                walls.points.entry(number).or_insert((parent.points[at], targets[n][at]));
-                let behind = walls.behind.entry(number).or_insert(Some(parent.behind[at]));
-                if behind.is_some_and(|known| known.distance(parent.behind[at]) > tolerance) {
+                walls.points.entry(*number).or_insert((start, *step));
+                let behind = walls.behind.entry(*number).or_insert(Some(layer));
+                if behind.is_some_and(|known| known.distance(layer) > tolerance) {
                     *behind = None;
                 }
             }

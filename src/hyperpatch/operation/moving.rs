@@ -29,7 +29,7 @@ const ROUNDING: f64 = 1e-15;
 /// face, 8 inside a cell. Corners whose cells do not lie in a grid are creases: there only equal copies follow.
 ///
 /// # Errors
-/// When there is no such cell or coefficient.
+/// When there is no such cell or coefficient, or more than 256 corners of cells lie at its corner.
 pub fn moves(
     body: &Body,
     cell: CellId,
@@ -55,7 +55,8 @@ pub fn moves(
 /// afterwards up to rounding, however often it was moved before; a mark that a single coefficient breaks is dropped.
 ///
 /// # Errors
-/// When there is no such cell or coefficient, or a coordinate is not finite or too large.
+/// When there is no such cell or coefficient, more than 256 corners of cells lie at its corner, or a coordinate is not
+/// finite or too large.
 pub fn move_coefficient(
     body: &mut Body,
     cell: CellId,
@@ -104,7 +105,7 @@ fn star_of(body: &Body, cell: CellId, at: usize) -> Result<(Star<'_>, usize), Op
 fn shares(weave: &Weave, number: usize, reach: Reach) -> Vec<(usize, f64)> {
     match reach {
         Reach::Single => vec![(weave.class[number], 1.0)],
-        Reach::Block if number % 8 == 0 => {
+        Reach::Block if number.is_multiple_of(8) => {
             let together = weave.together(number / 8);
             let numbers = together.into_iter().flat_map(|place| (0..8).map(move |n| place * 8 + n));
             let mut classes: Vec<usize> = numbers.map(|number| weave.class[number]).collect();
@@ -285,6 +286,18 @@ mod tests {
                 assert!((0..16).all(|n| p[n] == q[face.matching.coefficient(n)]));
             }
         }
+    }
+
+    /// As many cells in one place as a body may have are refused, not compared pair by pair.
+    #[test]
+    fn crowded_corners_are_refused() {
+        let cube = || Net::cuboid(DVec3::ZERO, DVec3::ONE);
+        let mut few = body_of((0..256).map(|_| cube()));
+        let change = move_coefficient(&mut few, CellId(3), 63, DVec3::X, Reach::Block).unwrap();
+        assert_eq!(change.touched.len(), 256);
+        let mut many = body_of((0..10_000).map(|_| cube()));
+        let error = move_coefficient(&mut many, CellId(3), 63, DVec3::X, Reach::Block).unwrap_err();
+        assert!(error.to_string().contains("more than 256 corners of cells"), "{error}");
     }
 
     #[test]

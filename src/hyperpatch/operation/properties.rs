@@ -6,7 +6,7 @@ use super::{
     mix_cells, mix_coefficient, mix_corner, move_coefficient, moves, neighbourhood, reorient, set_continuity,
     slope, subdivide,
 };
-use crate::hyperpatch::composite::{Body, CellId, Match, Sharing};
+use crate::hyperpatch::composite::{Body, CellId, Match, Sharing, Side};
 use crate::hyperpatch::test_cells::random;
 use crate::hyperpatch::{Axis, Corner, Face, Jacobian};
 use glam::DVec3;
@@ -102,6 +102,41 @@ fn marks_hold_and_compositions_stay_in_the_simplex_after_any_sequence() {
                         prop_assert_eq!(cell.net().bounds(), *bounds);
                     }
                 }
+            }
+        }
+        Ok(())
+    });
+}
+
+/// What is wanted of a face is brought about and marked, whatever else is wanted at its corners, and comes to nothing only
+/// where it is refused.
+#[test]
+fn what_is_wanted_is_brought_about() {
+    run(2021, 60, |seeds| {
+        let mut body = start(seeds[0]);
+        for (n, &seed) in seeds.iter().enumerate() {
+            let _ = operate(&mut body, seed, CellId(10_000 * (n as u32 + 1)));
+            let (id, _) = body.cells()[(random(seed + 5) * body.cells().len() as f64) as usize];
+            let face = Face::all()[(random(seed + 6) * 6.0) as usize];
+            let wanted = [Some(Match::None), Some(Match::Block), Some(Match::C1)];
+            let [shape, material] = [7, 8].map(|m| wanted[(random(seed + m) * 3.0) as usize]);
+            match set_continuity(&mut body, id, face, None, shape, material) {
+                Ok(change) => {
+                    prop_assert!(change.touched.contains(&id));
+                    let corners =
+                        Corner::all().into_iter().filter(|c| c.0[face.axis as usize] == face.is_end);
+                    for corner in corners {
+                        let mark = body.marks().get(Side { cell: id, corner, axis: face.axis });
+                        let marked = mark.map(|mark| (mark.shape, mark.material));
+                        prop_assert_eq!(marked, Some((shape, material)), "cell {}, corner {}", id, corner);
+                    }
+                    check_body(&body);
+                }
+                Err(error) => prop_assert!(
+                    matches!(error, OperationError::Outer { .. } | OperationError::Irregular { .. }),
+                    "{}",
+                    error
+                ),
             }
         }
         Ok(())
@@ -218,15 +253,39 @@ fn an_edit_in_a_large_body_is_local() {
     let middle = DVec3::splat(3.0);
     let id = body.cells().iter().find(|(_, cell)| cell.net().0[0] == middle).unwrap().0;
     let at = at_point(&body, id.0, middle + DVec3::X / 3.0);
-    let start = std::time::Instant::now();
-    for n in 0..200 {
-        let by = random_vector(n) * 1e-3;
-        let change = move_coefficient(&mut body, id, at, by, Reach::Block).unwrap();
-        assert_eq!(change.touched.len(), 8);
-    }
-    let each = start.elapsed() / 200;
+    let each = timed(|| {
+        for n in 0..200 {
+            let by = random_vector(n) * 1e-3;
+            let change = move_coefficient(&mut body, id, at, by, Reach::Block).unwrap();
+            assert_eq!(change.touched.len(), 8);
+        }
+    }) / 200;
     println!("{each:?} for the move of a neighbour in a body of {} cells", body.cells().len());
     assert!(each.as_micros() < 5000, "{each:?}");
     let found = neighbourhood(&body, id, Corner([false; 3])).unwrap();
     assert!(found.joints.iter().all(|joint| joint.shape == Match::C1));
+
+    // Near the limit of cells.
+    let mut body = block([20, 20, 22]);
+    let at = Corner([true; 3]).coefficient();
+    let (id, by) = (CellId(4000), DVec3::X * 1e-3);
+    let move_time = timed(|| drop(move_coefficient(&mut body, id, at, by, Reach::Block).unwrap()));
+    let face = Face { axis: Axis::W, is_end: true };
+    let faces = (0..400).map(|n| (CellId(n * 22 + 21), face)).collect();
+    let (start, normals) = (Start::C1, Normals::Surface);
+    let what = Extrusion { faces, by: 0.5, start, normals, mix: None };
+    let extrude_time = timed(|| drop(extrude(&mut body, &what, CellId(20_000)).unwrap()));
+    let cut_time = timed(|| drop(subdivide(&mut body, id, Axis::W, 0.5, CellId(30_000)).unwrap()));
+    println!(
+        "{move_time:?} to move, {extrude_time:?} to extrude, {cut_time:?} to cut 400 of {}",
+        body.cells().len()
+    );
+    assert_eq!(body.cells().len(), 9600);
+    assert!((move_time + extrude_time + cut_time).as_millis() < 3000);
+}
+
+fn timed(work: impl FnOnce()) -> std::time::Duration {
+    let start = std::time::Instant::now();
+    work();
+    start.elapsed()
 }

@@ -8,6 +8,9 @@ use glam::DVec3;
 /// Difference of fractions that counts as none.
 const FRACTION: f64 = 1e-9;
 
+/// Most corners of cells at one point: all pairs of them are looked at, which takes some ten milliseconds for so many.
+pub(super) const MOST_AROUND: usize = 256;
+
 /// Shape or material: continuity is told of each apart (section 3.5 of the paper).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -97,6 +100,9 @@ impl<'a> Star<'a> {
                 points.iter().any(|point| point.distance(at) <= tolerance)
             };
             cells.extend(Corner::all().into_iter().filter(is_here).map(|corner| (*id, corner, cell)));
+            if let (true, Some(&(id, corner))) = (cells.len() > MOST_AROUND, seeds.first()) {
+                return Err(OperationError::Crowded { id, corner });
+            }
         }
         let mut star = Self { cells, joints: Vec::new() };
         for first in 0..star.cells.len() {
@@ -214,12 +220,11 @@ impl<'a> Star<'a> {
         // Material runs through faces that coincide, whether or not their shapes were let go.
         let holds = |joint: &Joint| kind == Kind::Material || joint.holds[0] != Match::None;
         let (frames, is_regular) = self.frames(&holds, first);
+        // Each coefficient leads to an earlier one of its class, the first of them to itself.
         let mut class: Vec<usize> = (0..self.cells.len() * 8).collect();
         let mut unite = |a: usize, b: usize| {
-            let (a, b) = (class[a], class[b]);
-            if a != b {
-                class.iter_mut().filter(|n| **n == a.max(b)).for_each(|n| *n = a.min(b));
-            }
+            let (a, b) = (first_of(&mut class, a), first_of(&mut class, b));
+            class[a.max(b)] = a.min(b);
         };
         for joint in self.joints.iter().filter(|joint| joint.holds[kind as usize] != Match::None) {
             for [a, b] in pairs(joint) {
@@ -241,14 +246,17 @@ impl<'a> Star<'a> {
         let mut members: Vec<Vec<usize>> = Vec::new();
         let mut numbers = vec![usize::MAX; class.len()];
         for number in 0..class.len() {
-            let first = class[number];
+            let first = first_of(&mut class, number);
             if numbers[first] == usize::MAX {
                 numbers[first] = members.len();
                 members.push(Vec::new());
             }
             members[numbers[first]].push(number);
-            class[number] = numbers[first];
         }
+        for (class, list) in members.iter().enumerate() {
+            list.iter().for_each(|number| numbers[*number] = class);
+        }
+        let class = numbers;
         let mut lines = Vec::new();
         for joint in
             self.joints.iter().filter(|joint| joint.holds[kind as usize] == Match::C1 && holds(joint))
@@ -401,6 +409,15 @@ impl Weave {
         let condition = |line: &Line| line.classes.into_iter().zip([1.0, -2.0, 1.0]).collect();
         self.lines.iter().map(condition).collect()
     }
+}
+
+/// The first of a class, and a shorter way to it.
+fn first_of(class: &mut [usize], mut number: usize) -> usize {
+    while class[number] != number {
+        class[number] = class[class[number]];
+        number = class[number];
+    }
+    number
 }
 
 /// Numbers of the coefficients on either side of a joint that lie on each other.

@@ -65,6 +65,12 @@ test("a sandboxed iframe of another origin tells what it shows, and takes wishes
     await send(page, { type: "directrix:set", v: 1, preset: "petals", playing: true });
     await told(page, (state) => assert.equal(state.document.title, "Petals"));
     await frame.getByRole("button", { name: "Pause" }).waitFor();
+    await send(page, { type: "directrix:set", v: 1, preset: "hyperpatch-pair", s: 0.25 });
+    await told(page, (state) => {
+      assert.deepEqual([state.document.kind, state.s], ["hyperpatch", 0.25]);
+      assert.deepEqual(state.result.body, { cells: 2, invalid: 0, degenerate: 0, overlaps: 0, volume: state.result.body.volume, checked: true });
+    });
+    await frame.getByRole("slider", { name: "Section" }).waitFor();
     assert.deepEqual(await got(page, "error"), []);
   });
 });

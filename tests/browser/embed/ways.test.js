@@ -77,12 +77,17 @@ test("under a strict policy with blob workers it runs in one", async () => {
 
 test("under a policy without workers it runs on the main thread, in short turns", async () => {
   const headers = policy(host.app, "worker-src 'none'");
-  await visit(browser, host.page(FIGURE, { headers }), { allow: /Content Security Policy|Content-Security-Policy/ }, async (page) => {
+  await visit(browser, host.page(`${FIGURE}<directrix-figure preset="hyperpatch-pair"></directrix-figure>`, { headers }), { allow: /Content Security Policy|Content-Security-Policy/ }, async (page) => {
     await standing(page);
     const { runsIn, result } = await stateOf(page);
     assert.equal(runsIn, "main thread");
     assert.equal(result.text, "44 lines, none crossing, η 0.97");
     assert.ok((await colors(page)) > FEWEST);
+    const body = await standing(page, 1);
+    assert.equal((await stateOf(page, 1)).runsIn, "main thread");
+    await body.getByRole("slider", { name: "Section" }).fill("0.5");
+    await eventually(async () => assert.equal((await stateOf(page, 1)).result.brief, "2 cells, verified"));
+    assert.ok((await colors(page, 1)) > FEWEST);
   });
 });
 

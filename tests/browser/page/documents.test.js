@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { exported } from "./exporting.js";
+import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, drag, eventually, field, handle, middle, status, uiOf } from "./workbench.js";
 
@@ -123,25 +124,25 @@ const BAD = [
   { name: "missing.json", text: '{"directrix": 1, "kind": "curves"}', says: /curves|matching/ },
 ];
 
-for (const { name, text, says } of BAD) {
-  test(`a bad file is refused with its reason: ${name}`, async (t) => {
-    const page = await openPage(t);
+onOnePage("a bad file is refused with its reason", {
+  ...Object.fromEntries(BAD.map(({ name, text, says }) => [name, async (page) => {
     const before = JSON.stringify(await documentOf(page));
     await page.locator("[data-file]").setInputFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
     await eventually(async () => assert.match(await status(page), new RegExp(`Could not open ${name}`)));
     assert.match(await status(page), says);
     assert.match(await status(page), /unchanged/);
     assert.equal(JSON.stringify(await documentOf(page)), before);
-  });
-}
-
-test("the path of a wrong field is named", async (t) => {
-  const page = await openPage(t);
-  const document = await documentOf(page);
-  document.curves[0].points[3][1] = "high";
-  const buffer = Buffer.from(JSON.stringify(document));
-  await page.locator("[data-file]").setInputFiles({ name: "high.json", mimeType: "application/json", buffer });
-  await eventually(async () => assert.match(await status(page), /curves\[0\]\.points\[3\]\[1\]/));
+  }])),
+  "the path of a wrong field is named": async (page) => {
+    const document = await documentOf(page);
+    document.curves[0].points[3][1] = "high";
+    const buffer = Buffer.from(JSON.stringify(document));
+    await page.locator("[data-file]").setInputFiles({ name: "high.json", mimeType: "application/json", buffer });
+    await eventually(async () => assert.match(await status(page), /curves\[0\]\.points\[3\]\[1\]/));
+    const isWhole = await page.locator("[data-reason]").evaluate(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth);
+    assert.ok(isWhole, "the reason is read to its end");
+    assert.doesNotMatch(await status(page), /mean/, "measures make room for it");
+  },
 });
 
 test("an exported document opens again as it was, dropped on the page", async (t) => {

@@ -19,6 +19,7 @@ test("a new document is empty, says what to do, and keeps the page whole", async
   assert.deepEqual(await audit(page), []);
   const text = await page.locator("body").innerText();
   assert.doesNotMatch(text, /NaN|Infinity|undefined/);
+  assert.equal(await page.locator("input[data-field=lines]").inputValue(), "44", "as many lines as there will be samples");
   await page.reload();
   await page.waitForSelector("html[data-ready=true]");
   await page.locator("[data-empty=draw]").waitFor();

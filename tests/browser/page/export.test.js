@@ -5,6 +5,7 @@ import { load } from "directrix";
 import { PNG } from "pngjs";
 import { audit } from "../support/axe.js";
 import { exported, openExport } from "./exporting.js";
+import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, pick } from "./workbench.js";
 
@@ -51,92 +52,97 @@ test("a PNG has the size asked for, in the colours and on the ground asked for",
   assert.ok(new Set(new Uint32Array(bare.data.buffer)).size > 1000);
 });
 
-test("a PNG shows the same as the kernel paints for the view and the layers on the screen", async (t) => {
-  const page = await openPage(t);
-  await page.locator("[data-box=samples]").uncheck();
-  await page.locator("[data-zoom=plus]").click();
-  await openExport(page, "png");
-  await pick(page, "export-scale", "1");
-  const picture = await png(page);
-  const [document, ui] = [await documentOf(page), await page.evaluate(() => history.state.ui)];
-  const dx = await load({ module: "figure" });
-  const { width, height } = picture;
-  const { layers, s, view, isoMaterial } = ui;
-  const same = dx.paint(document, { width, height, layers, s, view, isoMaterial, theme: "light", line: null });
-  assert.deepEqual(Buffer.compare(Buffer.from(picture.data), Buffer.from(same.data)), 0);
-});
-
-test("sizes out of range are refused beside the field, tiny pictures work", async (t) => {
-  const page = await openPage(t);
-  await openExport(page, "png");
-  await field(page, "export-width").fill("5000");
-  assert.match(await page.locator("#error-export-width").innerText(), /16 to 4\s?096/);
-  await size(page, 16, 16);
-  const { width, height } = await png(page);
-  assert.deepEqual([width, height], [16, 16]);
-});
-
-test("an SVG has the colours asked for", async (t) => {
-  const page = await openPage(t);
-  const light = (await exported(page, "svg")).toString("utf8");
-  assert.match(light, /^(<\?xml[^>]*>\s*)?<svg/);
-  await pick(page, "export-theme", "dark");
-  const dark = (await exported(page, "svg")).toString("utf8");
-  assert.notEqual(light, dark);
-  assert.match(dark, /#0e0f12/i);
-  await page.locator("[data-box=export-transparent]").check();
-  assert.doesNotMatch((await exported(page, "svg")).toString("utf8"), /#0e0f12/i);
-});
-
-test("tables hold what the kernel says, digit for digit", async (t) => {
-  const page = await openPage(t);
-  const dx = await load();
-  await page.locator("[data-select=method]").selectOption("greedy");
-  await page.locator("[data-box=one-to-one]").uncheck();
-  const document = await documentOf(page);
-  const [match, stages] = [dx.match(document), dx.stages(document)];
-  const rows = (/** @type {Buffer} */ text) => text.toString("utf8").trimEnd().split("\n").map((line) => line.split(","));
-  const [head, ...lines] = rows(await exported(page, "csv"));
-  assert.deepEqual(head, ["line", "u", "v", "x1", "y1", "x2", "y2", "value", "cosine", "length", "visible"]);
-  assert.equal(lines.length, match.lines.length);
-  lines.forEach((cells, i) => {
-    const { from, to, value } = match.lines[i];
-    const [, u, v, x1, y1, x2, y2, f] = cells.map(Number);
-    assert.deepEqual([u, v], [match.samples[0].parameters[from], match.samples[1].parameters[to]]);
-    assert.deepEqual([x1, y1, x2, y2], [...match.samples[0].points[from], ...match.samples[1].points[to]]);
-    assert.equal(f, value);
-  });
-  await pick(page, "export-table", "stages");
-  const [names, ...points] = rows(await exported(page, "csv"));
-  assert.deepEqual(names, ["stage", "s", "x", "y"]);
-  const expected = stages.flatMap(({ s, points: all }, i) => all.map(([x, y]) => [i, s, x, y]));
-  assert.deepEqual(points.map((cells) => cells.map(Number)), expected);
-  await pick(page, "export-table", "cells");
-  const [columns, ...cells] = rows(await exported(page, "csv"));
-  assert.deepEqual([columns[2], columns[10], ...columns.slice(14)], ["x1 [mm]", "area [mm²]", "Polymer", "Ceramic", "Titanium"]);
-  const found = dx.cells(document);
-  assert.deepEqual(cells.map((row) => Number(row[10])), found.map(({ area }) => area));
-  await openExport(page, "json");
-  await pick(page, "export-content", "cells");
-  const told = JSON.parse((await exported(page, "json")).toString("utf8"));
-  assert.deepEqual(told.cells.map((/** @type {any} */ cell) => Object.values(cell.mix)), found.map(({ fractions }) => fractions));
-});
-
-test("tables of what cannot be matched say why beside the button", async (t) => {
-  const page = await openPage(t);
-  // One point across the whole figure makes the outer curve cross itself.
-  const { curves } = await documentOf(page);
-  const [x, y] = curves[1].points[Math.floor(curves[1].points.length / 2)];
-  await handle(page, "B1").focus();
-  for (const [name, value] of /** @type {const} */ ([["x", x * 1.6], ["y", y * 1.6]])) {
-    await field(page, name).fill(String(value));
+onOnePage("exports", {
+  "two presses of Enter on Export download the picture": async (page) => {
+    await page.locator("[data-action=export]").focus();
     await page.keyboard.press("Enter");
-  }
-  await page.waitForSelector("#status[data-verdict=error]");
-  await openExport(page, "csv");
-  await pick(page, "export-table", "stages");
-  await page.locator("[data-export=download]").click();
-  await eventually(async () => assert.match(await page.locator("[data-panel=export] [data-message]").innerText(), /did not work: .+/));
+    await page.locator("[data-export=download]:focus").waitFor();
+    const download = page.waitForEvent("download");
+    await page.keyboard.press("Enter");
+    const file = await download;
+    assert.equal(file.suggestedFilename(), "amoeba.png");
+    assert.equal((await readFile(await file.path())).subarray(1, 4).toString("latin1"), "PNG");
+    await page.keyboard.press("Escape");
+    assert.ok(await page.locator("[data-action=export]").evaluate((element) => element === document.activeElement));
+  },
+  "a PNG shows the same as the kernel paints for the view and the layers on the screen": async (page) => {
+    await page.locator("[data-box=samples]").uncheck();
+    await page.locator("[data-zoom=plus]").click();
+    await openExport(page, "png");
+    await pick(page, "export-scale", "1");
+    const picture = await png(page);
+    const [document, ui] = [await documentOf(page), await page.evaluate(() => history.state.ui)];
+    const dx = await load({ module: "figure" });
+    const { width, height } = picture;
+    const { layers, s, view, isoMaterial } = ui;
+    const same = dx.paint(document, { width, height, layers, s, view, isoMaterial, theme: "light", line: null });
+    assert.deepEqual(Buffer.compare(Buffer.from(picture.data), Buffer.from(same.data)), 0);
+  },
+  "sizes out of range are refused beside the field, tiny pictures work": async (page) => {
+    await openExport(page, "png");
+    await field(page, "export-width").fill("5000");
+    assert.match(await page.locator("#error-export-width").innerText(), /16 to 4\s?096/);
+    await size(page, 16, 16);
+    const { width, height } = await png(page);
+    assert.deepEqual([width, height], [16, 16]);
+  },
+  "tables hold what the kernel says, digit for digit": async (page) => {
+    const dx = await load();
+    await page.locator("[data-select=method]").selectOption("greedy");
+    await page.locator("[data-box=one-to-one]").uncheck();
+    const document = await documentOf(page);
+    const [match, stages] = [dx.match(document), dx.stages(document)];
+    const rows = (/** @type {Buffer} */ text) => text.toString("utf8").trimEnd().split("\n").map((line) => line.split(","));
+    const [head, ...lines] = rows(await exported(page, "csv"));
+    assert.deepEqual(head, ["line", "u", "v", "x1", "y1", "x2", "y2", "value", "cosine", "length", "visible"]);
+    assert.equal(lines.length, match.lines.length);
+    lines.forEach((cells, i) => {
+      const { from, to, value } = match.lines[i];
+      const [, u, v, x1, y1, x2, y2, f] = cells.map(Number);
+      assert.deepEqual([u, v], [match.samples[0].parameters[from], match.samples[1].parameters[to]]);
+      assert.deepEqual([x1, y1, x2, y2], [...match.samples[0].points[from], ...match.samples[1].points[to]]);
+      assert.equal(f, value);
+    });
+    await pick(page, "export-table", "stages");
+    const [names, ...points] = rows(await exported(page, "csv"));
+    assert.deepEqual(names, ["stage", "s", "x", "y"]);
+    const expected = stages.flatMap(({ s, points: all }, i) => all.map(([x, y]) => [i, s, x, y]));
+    assert.deepEqual(points.map((cells) => cells.map(Number)), expected);
+    await pick(page, "export-table", "cells");
+    const [columns, ...cells] = rows(await exported(page, "csv"));
+    assert.deepEqual([columns[2], columns[10], ...columns.slice(14)], ["x1 [mm]", "area [mm²]", "Polymer", "Ceramic", "Titanium"]);
+    const found = dx.cells(document);
+    assert.deepEqual(cells.map((row) => Number(row[10])), found.map(({ area }) => area));
+    await openExport(page, "json");
+    await pick(page, "export-content", "cells");
+    const told = JSON.parse((await exported(page, "json")).toString("utf8"));
+    assert.deepEqual(told.cells.map((/** @type {any} */ cell) => Object.values(cell.mix)), found.map(({ fractions }) => fractions));
+  },
+  "tables of what cannot be matched say why beside the button": async (page) => {
+    // One point across the whole figure makes the outer curve cross itself.
+    const { curves } = await documentOf(page);
+    const [x, y] = curves[1].points[Math.floor(curves[1].points.length / 2)];
+    await handle(page, "B1").focus();
+    for (const [name, value] of /** @type {const} */ ([["x", x * 1.6], ["y", y * 1.6]])) {
+      await field(page, name).fill(String(value));
+      await page.keyboard.press("Enter");
+    }
+    await page.waitForSelector("#status[data-verdict=error]");
+    await openExport(page, "csv");
+    await pick(page, "export-table", "stages");
+    await page.locator("[data-export=download]").click();
+    await eventually(async () => assert.match(await page.locator("[data-panel=export] [data-message]").innerText(), /did not work: .+/));
+  },
+  "an SVG has the colours asked for": async (page) => {
+    const light = (await exported(page, "svg")).toString("utf8");
+    assert.match(light, /^(<\?xml[^>]*>\s*)?<svg/);
+    await pick(page, "export-theme", "dark");
+    const dark = (await exported(page, "svg")).toString("utf8");
+    assert.notEqual(light, dark);
+    assert.match(dark, /#0e0f12/i);
+    await page.locator("[data-box=export-transparent]").check();
+    assert.doesNotMatch((await exported(page, "svg")).toString("utf8"), /#0e0f12/i);
+  },
 });
 
 test("pictures and texts go to the clipboard", async (t) => {
@@ -172,20 +178,6 @@ test("a clipboard that refuses is told beside the button", async (t) => {
   await eventually(async () => assert.equal(await message.innerText(), "That did not work: Write permission denied."));
   await pick(page, "export-format", "png");
   assert.ok(await message.isHidden());
-});
-
-test("two presses of Enter on Export download the picture", async (t) => {
-  const page = await openPage(t);
-  await page.locator("[data-action=export]").focus();
-  await page.keyboard.press("Enter");
-  await page.locator("[data-export=download]:focus").waitFor();
-  const download = page.waitForEvent("download");
-  await page.keyboard.press("Enter");
-  const file = await download;
-  assert.equal(file.suggestedFilename(), "amoeba.png");
-  assert.equal((await readFile(await file.path())).subarray(1, 4).toString("latin1"), "PNG");
-  await page.keyboard.press("Escape");
-  assert.ok(await page.locator("[data-action=export]").evaluate((element) => element === document.activeElement));
 });
 
 test("the export is clean to axe, light and dark, large and small", async (t) => {

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
+import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, status, uiOf } from "./workbench.js";
 
@@ -17,8 +18,9 @@ const entry = (page, id) => page.locator(`[data-preset="${id}"]`);
 
 /** @param {Page} page */
 async function openGallery(page) {
-  await page.locator("[data-action=gallery]").click();
-  await page.locator("[data-panel=gallery]").waitFor();
+  const panel = page.locator("[data-panel=gallery]");
+  if ((await panel.count()) === 0) await page.locator("[data-action=gallery]").click();
+  await panel.waitFor();
 }
 
 /** The preset that has the focus. @param {Page} page */
@@ -62,112 +64,103 @@ test("every preset opens from the gallery with its verdict, and the gallery clos
   }
 });
 
-test("the first preset is the document that the page opens with", async (t) => {
-  const page = await openPage(t);
-  const first = JSON.stringify(await documentOf(page));
-  await openGallery(page);
-  assert.equal(await focused(page), index[0]?.id);
-  await entry(page, index[1]?.id ?? "").click();
-  await eventually(async () => assert.notEqual(JSON.stringify(await documentOf(page)), first));
-  await openGallery(page);
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.equal(JSON.stringify(await documentOf(page)), first));
-});
+onOnePage("the gallery", {
+  "thumbnails were painted before, follow the theme, and are not asked for until the gallery opens": async (page) => {
+    const asked = () =>
+      page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /thumbnail|-light|-dark|gallery/.test(name)).length);
+    assert.equal(await asked(), 0);
+    await openGallery(page);
+    const light = await pictures(page);
+    assert.ok(light.every((src) => /-light/.test(src)), `${light}`);
+    await page.locator("[data-action=theme]").click();
+    await eventually(async () => assert.ok((await pictures(page)).every((src) => /-dark/.test(src))));
+    assert.ok((await asked()) > 0);
+    await entry(page, "void-core").scrollIntoViewIfNeeded();
+    await pictures(page);
+  },
+  "each entry says its title and why it matters; the one without a matching is marked": async (page) => {
+    await openGallery(page);
+    for (const { id, title, line, matched = true } of index) {
+      const text = (await entry(page, id).innerText()).replaceAll("\n", " ");
+      assert.ok(text.includes(title) && text.includes(line), text);
+      assert.equal(/No matching/.test(text), !matched, id);
+    }
+    const headings = await page.locator("[data-panel=gallery] h3").allInnerTexts();
+    assert.deepEqual(headings, ["Shapes", "Pockets", "Measures and limits", "Materials", "Stacks"]);
+  },
+  "the button closes what it opened, and keys in the gallery do not reach the figure": async (page) => {
+    await openGallery(page);
+    const before = JSON.stringify(await documentOf(page));
+    for (const key of ["f", "Delete", "ArrowRight", "-"]) await page.keyboard.press(key);
+    assert.equal(JSON.stringify(await documentOf(page)), before);
+    await page.locator("[data-action=gallery]").click();
+    await eventually(async () => assert.equal(await page.locator("[data-panel=gallery]").count(), 0));
+  },
+  "an edited document stays until a preset is opened": async (page) => {
+    await handle(page, "A1").focus();
+    await page.keyboard.press("Shift+ArrowRight");
+    const edited = JSON.stringify(await documentOf(page));
+    await openGallery(page);
+    await page.keyboard.press("Escape");
+    assert.equal(JSON.stringify(await documentOf(page)), edited);
+    assert.equal(await page.locator("[data-state]").textContent(), "Edited");
+  },
+  "the first preset is the document that the page opens with": async (page) => {
+    const first = JSON.stringify(await documentOf(page));
+    await openGallery(page);
+    assert.equal(await focused(page), index[0]?.id);
+    await entry(page, index[1]?.id ?? "").click();
+    await eventually(async () => assert.notEqual(JSON.stringify(await documentOf(page)), first));
+    await openGallery(page);
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.equal(JSON.stringify(await documentOf(page)), first));
+  },
+  "arrows go through the grid as it lies, Enter opens, Escape closes and gives the focus back": async (page) => {
+    const button = page.locator("[data-action=gallery]");
+    await button.focus();
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.equal(await focused(page), "amoeba"));
+    const place = (/** @type {string} */ id) => entry(page, id).evaluate((element) => element.getBoundingClientRect());
 
-test("each entry says its title and why it matters; the one without a matching is marked", async (t) => {
-  const page = await openPage(t);
-  await openGallery(page);
-  for (const { id, title, line, matched = true } of index) {
-    const text = (await entry(page, id).innerText()).replaceAll("\n", " ");
-    assert.ok(text.includes(title) && text.includes(line), text);
-    assert.equal(/No matching/.test(text), !matched, id);
-  }
-  const headings = await page.locator("[data-panel=gallery] h3").allInnerTexts();
-  assert.deepEqual(headings, ["Shapes", "Pockets", "Measures and limits", "Materials", "Stacks"]);
-});
-
-test("arrows go through the grid as it lies, Enter opens, Escape closes and gives the focus back", async (t) => {
-  const page = await openPage(t);
-  const button = page.locator("[data-action=gallery]");
-  await button.focus();
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.equal(await focused(page), "amoeba"));
-  const place = (/** @type {string} */ id) => entry(page, id).evaluate((element) => element.getBoundingClientRect());
-
-  await page.keyboard.press("ArrowRight");
-  assert.equal(await focused(page), "star-in-circle");
-  await page.keyboard.press("ArrowDown");
-  const below = (await focused(page)) ?? "";
-  const [from, to] = [await place("star-in-circle"), await place(below)];
-  assert.ok(to.top > from.bottom - 1 && Math.abs(to.left - from.left) < 1, below);
-  await page.keyboard.press("ArrowUp");
-  assert.equal(await focused(page), "star-in-circle");
-  await page.keyboard.press("End");
-  const last = index.filter(({ topic }) => topic === "stacks").at(-1)?.id;
-  assert.equal(await focused(page), last, "the last one of the last topic");
-  await page.keyboard.press("ArrowDown");
-  assert.equal(await focused(page), last);
-  await page.keyboard.press("Home");
-  await page.keyboard.press("ArrowLeft");
-  await page.keyboard.press("ArrowUp");
-  assert.equal(await focused(page), "amoeba");
-
-  const seen = new Set(["amoeba"]);
-  for (let step = 0; step < index.length; step += 1) {
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await focused(page), "star-in-circle");
     await page.keyboard.press("ArrowDown");
-    seen.add((await focused(page)) ?? "");
-  }
-  assert.ok(seen.size >= 6, "down goes through every topic");
-  await page.keyboard.press("Tab");
-  assert.equal(await focused(page), null, "Tab leaves the grid");
+    const below = (await focused(page)) ?? "";
+    const [from, to] = [await place("star-in-circle"), await place(below)];
+    assert.ok(to.top > from.bottom - 1 && Math.abs(to.left - from.left) < 1, below);
+    await page.keyboard.press("ArrowUp");
+    assert.equal(await focused(page), "star-in-circle");
+    await page.keyboard.press("End");
+    const last = index.filter(({ topic }) => topic === "stacks").at(-1)?.id;
+    assert.equal(await focused(page), last, "the last one of the last topic");
+    await page.keyboard.press("ArrowDown");
+    assert.equal(await focused(page), last);
+    await page.keyboard.press("Home");
+    await page.keyboard.press("ArrowLeft");
+    await page.keyboard.press("ArrowUp");
+    assert.equal(await focused(page), "amoeba");
 
-  await page.keyboard.press("Shift+Tab");
-  await page.keyboard.press("Escape");
-  assert.equal(await page.locator("[data-panel=gallery]").count(), 0);
-  assert.ok(await button.evaluate((element) => element === document.activeElement));
+    const seen = new Set(["amoeba"]);
+    for (let step = 0; step < index.length; step += 1) {
+      await page.keyboard.press("ArrowDown");
+      seen.add((await focused(page)) ?? "");
+    }
+    assert.ok(seen.size >= 6, "down goes through every topic");
+    await page.keyboard.press("Tab");
+    assert.equal(await focused(page), null, "Tab leaves the grid");
 
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.equal(await focused(page), "amoeba"));
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.equal(await field(page, "title").inputValue(), "Star in circle"));
-  assert.ok(await button.evaluate((element) => element === document.activeElement));
-});
+    await page.keyboard.press("Shift+Tab");
+    await page.keyboard.press("Escape");
+    assert.equal(await page.locator("[data-panel=gallery]").count(), 0);
+    assert.ok(await button.evaluate((element) => element === document.activeElement));
 
-test("the button closes what it opened, and keys in the gallery do not reach the figure", async (t) => {
-  const page = await openPage(t);
-  await openGallery(page);
-  const before = JSON.stringify(await documentOf(page));
-  for (const key of ["f", "Delete", "ArrowRight", "-"]) await page.keyboard.press(key);
-  assert.equal(JSON.stringify(await documentOf(page)), before);
-  await page.locator("[data-action=gallery]").click();
-  await eventually(async () => assert.equal(await page.locator("[data-panel=gallery]").count(), 0));
-});
-
-test("thumbnails were painted before, follow the theme, and are not asked for until the gallery opens", async (t) => {
-  const page = await openPage(t);
-  const asked = () =>
-    page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /thumbnail|-light|-dark|gallery/.test(name)).length);
-  assert.equal(await asked(), 0);
-  await openGallery(page);
-  const light = await pictures(page);
-  assert.ok(light.every((src) => /-light/.test(src)), `${light}`);
-  await page.locator("[data-action=theme]").click();
-  await eventually(async () => assert.ok((await pictures(page)).every((src) => /-dark/.test(src))));
-  assert.ok((await asked()) > 0);
-  await entry(page, "void-core").scrollIntoViewIfNeeded();
-  await pictures(page);
-});
-
-test("an edited document stays until a preset is opened", async (t) => {
-  const page = await openPage(t);
-  await handle(page, "A1").focus();
-  await page.keyboard.press("Shift+ArrowRight");
-  const edited = JSON.stringify(await documentOf(page));
-  await openGallery(page);
-  await page.keyboard.press("Escape");
-  assert.equal(JSON.stringify(await documentOf(page)), edited);
-  assert.equal(await page.locator("[data-state]").textContent(), "Edited");
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.equal(await focused(page), "amoeba"));
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.equal(await field(page, "title").inputValue(), "Star in circle"));
+    assert.ok(await button.evaluate((element) => element === document.activeElement));
+  },
 });
 
 test("on a phone the gallery is one entry of the menu and takes the whole width", async (t) => {

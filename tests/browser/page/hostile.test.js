@@ -7,6 +7,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { base, cases, garbled, numbers } from "../../node/hostile.js";
+import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, spoken, status } from "./workbench.js";
 
@@ -85,11 +86,10 @@ test(`garbled files by the dozen are opened or refused (seed ${SEED})`, { timeou
   await page.waitForSelector("#status[data-verdict=verified]");
 });
 
-for (const { name, text, code } of cases.filter(({ code }) => DRAWN.includes(code ?? ""))) {
-  test(`a document is drawn with its fault marked: ${name}`, async (t) => {
-    const page = await openPage(t);
-    await open(page, "fault.json", text);
-    await eventually(async () => assert.equal((await documentOf(page)).title, base.title));
+onOnePage("a document is drawn with its fault marked", {
+  ...Object.fromEntries(cases.filter(({ code }) => DRAWN.includes(code ?? "")).map(({ name, text, code }) => [name, async (page) => {
+    await open(page, "fault.json", JSON.stringify({ ...JSON.parse(text), title: name }));
+    await eventually(async () => assert.equal((await documentOf(page)).title, name));
     await eventually(async () => assert.match(await status(page), code === "contact" ? /touch/ : /crosses itself/));
     assert.match(await status(page), /near \(/, "the place is named");
     assert.notEqual(await page.locator("#status").getAttribute("data-verdict"), "verified");
@@ -98,8 +98,21 @@ for (const { name, text, code } of cases.filter(({ code }) => DRAWN.includes(cod
     const undo = page.locator("[data-action=undo]");
     await undo.click();
     await eventually(async () => assert.ok(await undo.isDisabled(), "its history works"));
-  });
-}
+  }])),
+  "curves side by side, and the status says why they are not matched": async (page) => {
+    const apart = structuredClone(base);
+    for (const point of apart.curves[0].points) point[0] += 100;
+    await open(page, "apart.json", JSON.stringify(apart));
+    await eventually(async () => assert.match(await status(page), /No line connects the two curves/));
+    assert.notEqual(await page.locator("#status").getAttribute("data-verdict"), "verified");
+    // A corner is a remark, and not the reason.
+    const [curve] = apart.curves;
+    curve.points.splice(1, 0, ...Array.from({ length: curve.degree - 1 }, () => [...curve.points[0]]));
+    await open(page, "corner.json", JSON.stringify({ ...apart, title: "Apart, with a corner" }));
+    await page.locator("[data-certificate=corners], .corner-mark:visible").first().waitFor();
+    await eventually(async () => assert.match(await status(page), /No line connects the two curves/));
+  },
+});
 
 /** Typed in place of a coordinate: moves that make the curves cross, lie side by side, or turn one into a figure eight. */
 const MOVES = [
@@ -107,28 +120,21 @@ const MOVES = [
   { name: "a figure eight", moves: { A1: ["x", "-90"], A2: ["y", "-60"] }, says: /crosses itself|touch/ },
 ];
 
-for (const { name, moves, says } of MOVES) {
-  test(`an edit that makes ${name} is told, and undone`, async (t) => {
-    const { page, isUnharmed } = await edited(t);
-    for (const [point, [axis, value]] of Object.entries(moves)) {
-      await handle(page, point).focus();
-      await field(page, axis).fill(value);
-      await page.keyboard.press("Enter");
-    }
-    await eventually(async () => assert.match(await status(page), says));
-    for (const _ of Object.keys(moves)) await page.locator("[data-action=undo]").click();
-    await page.waitForSelector("#status[data-verdict=verified]");
-    await eventually(isUnharmed);
-  });
-}
-
-test("curves side by side are drawn, and the status says why they are not matched", async (t) => {
-  const page = await openPage(t);
-  const apart = structuredClone(base);
-  for (const point of apart.curves[0].points) point[0] += 100;
-  await open(page, "apart.json", JSON.stringify(apart));
-  await eventually(async () => assert.match(await status(page), /No line connects the two curves/));
-  assert.notEqual(await page.locator("#status").getAttribute("data-verdict"), "verified");
+test("edits that make curves cross are told, and undone", async (t) => {
+  const { page, isUnharmed } = await edited(t);
+  for (const { name, moves, says } of MOVES) {
+    await t.test(name, async () => {
+      for (const [point, [axis, value]] of Object.entries(moves)) {
+        await handle(page, point).focus();
+        await field(page, axis).fill(value);
+        await page.keyboard.press("Enter");
+      }
+      await eventually(async () => assert.match(await status(page), says));
+      for (const _ of Object.keys(moves)) await page.locator("[data-action=undo]").click();
+      await page.waitForSelector("#status[data-verdict=verified]");
+      await eventually(isUnharmed);
+    });
+  }
 });
 
 test("wrong numbers in fields are told beside the field and change nothing", async (t) => {

@@ -96,6 +96,12 @@ test("what is wrong with a body is named, with its witness in the picture, and a
   const page = await open(t, "ring");
   await checked(page);
   await page.locator("[data-action=gallery]").click();
+  // Every preset has its picture.
+  const pictures = page.locator(".body-preset-picture");
+  await eventually(async () => {
+    const sources = await pictures.evaluateAll((images) => images.map((image) => /** @type {HTMLImageElement} */ (image).src));
+    assert.ok(sources.length === 8 && sources.every((source) => source.startsWith("data:image/png")) && new Set(sources).size >= 7);
+  });
   await page.locator("[data-preset=hyperpatch-invalid]").click();
   await eventually(async () => assert.match(await status(page), /1 cell invalid/));
   await eventually(async () => assert.equal(await page.locator("[data-body-witness]").count(), 1));
@@ -105,6 +111,12 @@ test("what is wrong with a body is named, with its witness in the picture, and a
   const title = page.locator("[data-field=title], input[aria-label='Document title']").first();
   await title.fill("My fold");
   await title.press("Enter");
+  await page.locator("[data-action=file]").click();
+  await page.locator("[data-item=recent]").click();
+  // Kept with its picture.
+  const kept = page.locator("[data-panel=recent] li", { hasText: "My fold" }).locator(".recent-picture.on-light");
+  await eventually(async () => assert.equal(await kept.evaluate((image) => /** @type {HTMLImageElement} */ (image).naturalWidth), 168));
+  await page.locator("[data-panel=recent] [data-close]").click();
   await page.locator("[data-action=share]").click();
   const link = await eventually(async () => {
     const text = await page.locator("[data-share-text]").inputValue();

@@ -7,6 +7,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
 import { newDocument, PHONE } from "./drawing.js";
+import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, handle, status } from "./workbench.js";
 
@@ -190,7 +191,7 @@ test("of several files the first is opened, and the page says so", async (t) => 
 
 const random = Buffer.from(Array.from({ length: 3000 }, (_, i) => (i * 7919 + (i * i) % 251) % 256));
 
-for (const { name, content, says } of [
+const UNFIT = [
   { name: "empty.svg", content: "", says: /the text is empty/ },
   { name: "wrong.json", content: '[[1, 2], [3, "x"], [5, 6]]', says: /\[1\]\[1\]: the text "x" was found; expected a number/ },
   { name: "no-paths.svg", content: "<svg xmlns='http://www.w3.org/2000/svg'><text>word</text></svg>", says: /no shape was found/ },
@@ -200,23 +201,22 @@ for (const { name, content, says } of [
   { name: "huge.csv", content: "0,0\n1e300,0\n5,5\n", says: /line 2, x: .*expected a number from/ },
   { name: "words.txt", content: "only words\nand more words", says: /no points were found/ },
   { name: "random.bin", content: random, says: /Could not open random\.bin/ },
-]) {
-  test(`the open document and its history survive ${name}`, async (t) => {
-    const page = await openPage(t);
-    const first = await documentOf(page);
-    await handle(page, "B2").focus();
-    await page.keyboard.press("ArrowUp");
-    const before = await documentOf(page);
-    assert.notDeepEqual(before, first);
-    await choose(page, name, content);
-    await eventually(async () => assert.match(await status(page), says));
-    assert.match(await status(page), new RegExp(`Could not open ${name}`));
-    assert.equal(await panel(page).count(), 0);
-    assert.deepEqual(await documentOf(page), before);
-    await page.keyboard.press("Control+z");
-    await eventually(async () => assert.deepEqual(await documentOf(page), first));
-  });
-}
+];
+
+onOnePage("the open document and its history survive", Object.fromEntries(UNFIT.map(({ name, content, says }) => [name, async (page) => {
+  const first = await documentOf(page);
+  await handle(page, "B2").focus();
+  await page.keyboard.press("ArrowUp");
+  const before = await documentOf(page);
+  assert.notDeepEqual(before, first);
+  await choose(page, name, content);
+  await eventually(async () => assert.match(await status(page), new RegExp(`Could not open ${name}`)));
+  assert.match(await status(page), says);
+  assert.equal(await panel(page).count(), 0);
+  assert.deepEqual(await documentOf(page), before);
+  await page.keyboard.press("Control+z");
+  await eventually(async () => assert.deepEqual(await documentOf(page), first));
+}])));
 
 test("on a phone the panel takes the screen and opens the drawing", async (t) => {
   const page = await openPage(t, { ...PHONE, colorScheme: "dark" });

@@ -15,7 +15,6 @@ import { patch } from "../state/edits.js";
 import { spanName } from "../state/app.js";
 import { keptGaps, shownTotals } from "../state/lines.js";
 import { strings } from "../strings.js";
-import { nextWitness } from "../witness.js";
 
 /** @param {App} app */
 export function createStatus(app) {
@@ -44,7 +43,7 @@ export function createStatus(app) {
           : [label(strings.status.loading)];
       element.replaceChildren(
         h("div", { class: "certificates" }, ...left),
-        h("div", { class: "remark" }, ...remark(app, match, slow)),
+        h("div", { class: note?.tone === "error" ? "remark told" : "remark" }, ...remark(app, match, slow)),
       );
       element.dataset.verdict = problem
         ? "error"
@@ -88,6 +87,7 @@ function certificates(app, match, ms) {
   const words = strings.status;
   const count = Math.max(failures(match), match.ok ? 0 : 1);
   const gaps = keptGaps(match).length;
+  const corners = match.diagnostics.filter(({ code }) => code === "corner").length;
   if (!totals) return [h("span", { class: "verdict failed" }, words.problems(count))];
   const [a, b] = totals.uncovered;
   const open = a.length + b.length > 0;
@@ -106,6 +106,7 @@ function certificates(app, match, ms) {
     failure(app, "uncovered", words.uncovered, a.length + b.length, open ? `${a.length} + ${b.length}` : "0"),
     gaps > 0 ? failure(app, "gaps", words.gaps, gaps, String(gaps)) : null,
     occluded(match) > 0 ? failure(app, "occluded", words.occluded, occluded(match), String(occluded(match))) : null,
+    corners > 0 ? showing("corners", words.corners(corners), String(corners), "", async () => (await import("../stage/corners.js")).nextCorner(app)) : null,
     ms === null ? null : item("ms", strong(milliseconds(ms)), label(words.ms)),
   ].filter((node) => node !== null);
 }
@@ -120,16 +121,28 @@ function certificates(app, match, ms) {
  */
 function failure(app, name, words, count, shown) {
   if (count === 0) return item(name, label(words), strong(shown));
+  return showing(name, words, shown, "failed", async () => (await import("../witness.js")).nextWitness(app, name));
+}
+
+/**
+ * A count whose button goes to the next place.
+ * @param {string} name
+ * @param {string} words
+ * @param {string} shown
+ * @param {string} look
+ * @param {() => void} onclick
+ */
+function showing(name, words, shown, look, onclick) {
   const what = `${words} ${shown}`;
   const button = h(
     "button",
     {
       type: "button",
-      class: "failed",
+      class: look,
       "data-certificate": name,
       "aria-label": strings.status.show(what),
       title: strings.status.show(what),
-      onclick: () => nextWitness(app, name),
+      onclick,
     },
     label(words),
     " ",
@@ -191,4 +204,4 @@ function gapText(gap) {
 
 
 /** @param {string} text */
-const reason = (text) => h("span", { class: "failed reason", "data-reason": "" }, text);
+const reason = (text) => h("span", { class: "failed reason", "data-reason": "", title: text }, text);

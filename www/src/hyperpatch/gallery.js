@@ -1,5 +1,5 @@
 /**
- * The presets of the workbench as a list: title, and one line that says why it matters.
+ * The presets of the workbench as a list: picture, title, and one line that says why it matters.
  *
  * @import { App } from "../state/app.js"
  */
@@ -9,12 +9,24 @@ import { openPanel } from "../frame/panel.js";
 import { bodies } from "./presets.js";
 import { words } from "./words.js";
 
+/** CSS pixels of a picture. */
+const SIZE = { width: 84, height: 60 };
+const RATIO = 2;
+
+/** A picture of one clear pixel, which keeps the place. */
+const NOTHING = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7";
+
+/** Pictures of the presets, for as long as the page is open. @type {Map<string, string>} */
+const pictures = new Map();
+
 /** @param {App} app */
 export function showBodies(app) {
-  const entries = bodies.map(({ id, line, document }) =>
+  const images = bodies.map(({ id }) => h("img", { alt: "", class: "body-preset-picture", src: pictures.get(id) ?? NOTHING, ...SIZE }));
+  const entries = bodies.map(({ id, line, document }, index) =>
     h(
       "button",
       { type: "button", class: "body-preset", "data-preset": id, onclick: () => void open(document) },
+      images[index],
       h("span", { class: "body-preset-title" }, document.title),
       h("span", { class: "body-preset-line" }, line),
     ),
@@ -28,6 +40,19 @@ export function showBodies(app) {
     if (!(await openDocument(app, document, document.title))) return;
     app.say(words.gallery.open(document.title));
     close();
+  }
+
+  // Without pictures the titles say what there is.
+  paint().catch(() => {});
+
+  /** One after the other: what is open goes first. */
+  async function paint() {
+    const { bodyThumbnail } = await import("./thumbnail.js");
+    for (const [index, { id, document }] of bodies.entries()) {
+      if (pictures.has(id)) continue;
+      pictures.set(id, await bodyThumbnail(app.kernel, /** @type {any} */ (document), SIZE, RATIO));
+      images[index].src = pictures.get(id) ?? NOTHING;
+    }
   }
 
   element.addEventListener("keydown", (event) => {

@@ -211,8 +211,9 @@ export function createMatchingFields(app) {
 
   /** The larger number of samples, which is the number of lines where none is named. */
   function samples() {
-    const taken = currentMatch(app)?.samples.map(({ points }) => points.length) ?? app.store.document.sampling.counts;
-    return Math.max(LINES.min, ...taken);
+    const taken = currentMatch(app)?.samples.map(({ points }) => points.length) ?? [];
+    // Without a curve there are no samples yet, only their numbers to come.
+    return Math.max(LINES.min, ...(taken.length > 0 ? taken : app.store.document.sampling.counts));
   }
 
   return {

@@ -28,9 +28,10 @@
 import { h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";
-import { hasSpace } from "../state/in-space.js";
+import { isBody } from "../hyperpatch/kind.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
+import { hasSpace } from "../state/in-space.js";
 import { keepNow } from "../state/session.js";
 import { createCurvesView } from "./curves-view.js";
 import { figureDocument } from "./document.js";
@@ -38,6 +39,13 @@ import { fill } from "./html.js";
 import { createStepsView } from "./steps-view.js";
 import { createSurface } from "./surface.js";
 import { words } from "./words.js";
+
+/** Why a figure of curves cannot show a document; null where it can. @param {CurvesDocument} document */
+function lackOf(document) {
+  if (isBody(document)) return words.needsCurves;
+  if (document.curves.length < 2) return words.needsTwo;
+  return hasSpace(document) ? words.planeOnly : null;
+}
 
 /**
  * @param {App} app
@@ -55,7 +63,8 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
   const message = h("p", { class: "lesson-message", role: "status", hidden: true });
   const note = h("p", { class: "lesson-mine", hidden: true });
   const element = h("figure", { class: "lesson-figure", "data-view": figure.view });
-  let isMine = mine;
+  const isBodyFigure = figure.view === "body";
+  let isMine = mine && !isBodyFigure;
   let over = false;
   let changed = false;
   let asked = 0;
@@ -74,11 +83,13 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
       element.dataset.drawn = "failed";
     },
   };
-  const view = figure.view === "steps" ? createStepsView(app, host, figure) : createCurvesView(app, host, figure);
+  const create = figure.view === "steps" ? createStepsView : (isBodyFigure && lesson.createBody) || createCurvesView;
+  const view = create(app, host, figure);
 
   const button = (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ act) =>
     h("button", { type: "button", class: "bare word", "data-lesson": name, title, onclick: act }, text);
   const own = button("mine", words.mine, "", () => use(!isMine));
+  own.hidden = isBodyFigure;
   const acts = h(
     "div",
     { class: "lesson-acts" },
@@ -99,8 +110,8 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     note.hidden = !isMine;
     write(note, words.mineNote(app.store.document.title));
     message.hidden = true;
-    const lack = app.store.document.curves.length < 2 ? words.needsTwo : hasSpace(app.store.document) ? words.planeOnly : null;
-    if (isMine && lack) {
+    const lack = isMine ? lackOf(app.store.document) : null;
+    if (lack) {
       write(message, lack);
       message.hidden = false;
       element.dataset.drawn = "failed";
@@ -136,7 +147,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     const same = isMine && figure.changes.length === 0 && !changed;
     if (!same) {
       keepNow();
-      const shown = { ...document, view: { ...document.view, ...(s === null ? {} : { s }) } };
+      const shown = isBodyFigure ? document : { ...document, view: { ...document.view, ...(s === null ? {} : { s }) } };
       if (!(await openDocument(app, shown, document.title))) {
         host.failed(new Error(app.ui.value.note?.text));
         return;

@@ -5,7 +5,8 @@
  * @import { Lesson } from "../../../scripts/lib/lesson.mjs"
  *
  * @typedef {Omit<Lesson, "steps"> & {steps: string[]}} Head a lesson with the titles of its steps
- * @typedef {Lesson & {documents: {[name: string]: unknown}}} WholeLesson
+ * @typedef {Lesson & {documents: {[name: string]: unknown}, createBody: typeof import("./body-view.js").createBodyFigure | null}} WholeLesson
+ *   `createBody`: what shows figures of a body, where the lesson has one
  */
 
 /** @type {{[path: string]: Head}} */
@@ -19,5 +20,7 @@ export const heads = Object.values(found).sort((a, b) => a.order - b.order);
 export async function openLesson(name) {
   const load = whole[`../../lessons/${name}.md`];
   if (!load) throw new Error(`there is no lesson ${name}`);
-  return /** @type {Promise<WholeLesson>} */ (load());
+  const lesson = /** @type {WholeLesson} */ (await load());
+  const hasBody = lesson.steps.some(({ figure }) => figure.view === "body");
+  return { ...lesson, createBody: hasBody ? (await import("./body-view.js")).createBodyFigure : null };
 }

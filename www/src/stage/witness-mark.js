@@ -3,6 +3,7 @@
  *
  * @import { App } from "../state/app.js"
  */
+import "../../styles/marks.css";
 import { attribute, find, svg } from "../dom.js";
 import { toScreen } from "../view.js";
 

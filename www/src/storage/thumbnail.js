@@ -1,9 +1,10 @@
 /**
- * The small picture of a document in a list, painted by the kernel.
+ * The small picture of a document in a list: curves painted by the kernel, bodies as its figures on other pages are.
  *
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument, Size } from "../types.js"
  */
+import { isBody } from "../hyperpatch/kind.js";
 import { imageData } from "../kernel.js";
 import { devicePixels } from "../painter.js";
 
@@ -26,6 +27,11 @@ const PATIENCE = 2000;
 export async function thumbnails(app, document) {
   const signal = AbortSignal.timeout(PATIENCE);
   try {
+    if (isBody(document)) {
+      const { bodyThumbnail } = await import("../hyperpatch/thumbnail.js");
+      const both = await bodyThumbnail(app.kernel, /** @type {any} */ (document), THUMBNAIL, RATIO, signal);
+      return { light: both, dark: both };
+    }
     const { width, height } = THUMBNAIL;
     const room = { width: width * MARGIN, height: height * MARGIN, pixelRatio: 1 };
     const whole = await app.kernel.fit(document, room, { signal });

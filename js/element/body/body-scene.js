@@ -1,0 +1,362 @@
+/**
+ * What a figure of a body shows: its document, the verdict, the camera, and the section, which stands in for the place between curves. It
+ * is to the element what the scene of curves is, see ../scene.js.
+ *
+ * @import { BodySummary, CellVerdict, Control, HyperpatchDocument, RemoteHyperpatch } from "../../directrix.js"
+ * @import { FigureResult } from "../../element.js"
+ * @import { Camera, Frame } from "../../space/camera.js"
+ * @import { Kernel } from "../kernel.js"
+ * @import { Size } from "../plane.js"
+ * @import { Host } from "../scene.js"
+ * @import { Cut, Shape } from "./picture.js"
+ */
+import { fitted, STANDARD } from "../../space/camera.js";
+import { cornersOf } from "../../space/vector.js";
+import { isControl } from "../../connect.js";
+import { DirectrixError } from "../../errors.js";
+import { body as remoteBody } from "../../remote-body.js";
+import { toText } from "../../text.js";
+import { isWhole, Lane } from "../kernel.js";
+import { fixed } from "../words.js";
+import { createOrbit } from "./orbit.js";
+import { cutOf, paint, shapeOf, within } from "./picture.js";
+import { bodyResult } from "./result.js";
+import { bodySheetOf } from "./style.js";
+import { words } from "./words.js";
+
+/** Places of the section where it halts with reduced motion, less one. */
+const STAGES = 10;
+/**
+ * What is left at least of the body's extent, and how far inside of what is left the face of the cut is found: a plane that lies in faces of
+ * cells has no face.
+ */
+const LEFT = 0.02;
+const INSIDE = 1e-6;
+/** Distance of the triangles from the boundary, as a share of the diagonal: less than a pixel. */
+const TOLERANCE = 1.5e-3;
+/** Milliseconds after a turn by keys until the picture is fine again. */
+const IDLE = 250;
+
+/** @typedef {{ verdicts: CellVerdict[], volume: number, summary: BodySummary | null }} Known */
+
+export class BodyScene {
+  /** @type {Kernel["runsIn"] | null} */
+  runsIn = null;
+  /** @type {HyperpatchDocument | null} */
+  document = null;
+  stages = STAGES;
+  /** @type {FigureResult | null} */
+  result = null;
+  /** @type {Size} */
+  size = { width: 0, height: 0 };
+  /** @type {"light" | "dark"} */
+  theme = "light";
+  /** What the slider is for. */
+  slider = words.section;
+  hasLayers = false;
+
+  // What only curves have.
+  steps = null;
+  layers = null;
+  /** @type {import("../../directrix.js").LayerName[]} */
+  shownLayers = [];
+  view = /** @type {import("../../directrix.js").View} */ ({ center: [0, 0], scale: 1 });
+  hasHandles = false;
+  growsSteps = false;
+
+  #host;
+  #rested;
+  #lane;
+  #checks;
+  #orbit;
+  #s = 0;
+  /** @type {{ text: string, document: HyperpatchDocument } | null} */
+  #incoming = null;
+  #text = "";
+  /** @type {Shape | null} */
+  #shape = null;
+  /** The cut that is painted, with the place that it is for. @type {{ s: number, cut: Cut | null }} */
+  #cut = { s: 0, cut: null };
+  /** @type {Known | null} */
+  #known = null;
+  /** @type {Camera} */
+  #camera = { ...STANDARD.iso, target: [0, 0, 0], distance: 1 };
+  #fitted = 1;
+  /** Whether the camera stands where it was fitted, and so follows the size. */
+  #follows = true;
+  #frame = 0;
+  #isFine = true;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #idle;
+
+  /**
+   * @param {Host} host
+   * @param {{ say: (text: string) => void, rested: () => void }} more `rested`: the camera has come to rest elsewhere
+   */
+  constructor(host, { say, rested }) {
+    this.#host = host;
+    this.#rested = rested;
+    this.#lane = new Lane({
+      work: (kernel, signal) => this.#turn(kernel, signal),
+      failed: (error) => host.onproblem("kernel", error),
+      urgency: host.urgency,
+    });
+    this.#checks = new Lane({
+      work: (kernel, signal) => this.#check(kernel, signal),
+      failed: (error) => host.onproblem("kernel", error),
+      urgency: () => 2,
+    });
+    this.#orbit = createOrbit({
+      camera: () => this.#camera,
+      frame: () => this.#seenThrough,
+      fitted: () => this.#fitted,
+      turn: (camera, isDrag) => this.#put(camera, isDrag),
+      fit: (view) => this.#fit(view && STANDARD[view]),
+      rest: () => this.#rest(),
+      say,
+    });
+  }
+
+  get elements() {
+    return this.#orbit.elements;
+  }
+
+  get buttons() {
+    return this.#orbit.buttons;
+  }
+
+  /** @param {Document} owner */
+  sheet = (owner) => bodySheetOf(owner);
+
+  get s() {
+    return this.#s;
+  }
+
+  set s(s) {
+    this.#s = s;
+    this.#isFine = false;
+    this.refresh();
+  }
+
+  /** The place of the section in words. */
+  get spoken() {
+    const plane = this.#planeAt(this.#s);
+    return plane ? words.cut(fixed(plane.offset, 2)) : words.whole;
+  }
+
+  get state() {
+    return this.document;
+  }
+
+  /**
+   * Shows another body once it is found to be one; until then the last one stays.
+   *
+   * @param {import("../../directrix.js").DocumentInput} given
+   * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
+   */
+  open(given) {
+    const text = toText(given);
+    this.#incoming = { text, document: JSON.parse(text) };
+    this.#lane.cancel();
+    this.#lane.push();
+  }
+
+  /** Bodies are turned and cut, not edited. */
+  edit() {}
+
+  /** @param {Size} size */
+  resize(size) {
+    if (size.width === this.size.width && size.height === this.size.height) return;
+    this.size = size;
+    if (this.#shape && this.#follows) this.#fit();
+    this.#repaint();
+  }
+
+  /** Brings the picture up with everything that it depends on. */
+  refresh() {
+    // Checks that were given up when the figure was taken from its page.
+    if (this.#known && !this.#known.summary) this.#checks.push();
+    if (this.#incoming || (this.#shape && this.#cut.s !== this.#s)) this.#lane.push();
+    else this.#repaint();
+  }
+
+  /** Gives up what is asked for. */
+  cancel() {
+    clearTimeout(this.#idle);
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#lane.cancel();
+    this.#checks.cancel();
+  }
+
+  /**
+   * What a picture depends on besides the document.
+   *
+   * @param {number} ratio device pixels for one of CSS
+   * @param {"light" | "dark"} [theme]
+   */
+  options(ratio, theme = this.theme) {
+    return { ratio, theme, camera: this.#camera, size: this.size, s: this.#cut.s, layers: [] };
+  }
+
+  /**
+   * A picture apart from that of the screen.
+   *
+   * @param {HTMLCanvasElement} canvas
+   * @param {{ ratio: number, theme: "light" | "dark" }} options
+   */
+  async print(canvas, { ratio, theme }) {
+    if (this.#shape) paint(canvas, this.#shape, this.#cut.cut, { ...this.#look(ratio, theme), isFine: true });
+  }
+
+  /** @param {Kernel} kernel @param {AbortSignal} signal */
+  async #turn(kernel, signal) {
+    if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'bodies are read by the module "full"');
+    this.runsIn = kernel.runsIn;
+    const control = { signal, onprogress: this.#host.onprogress };
+    if (this.#incoming) await this.#install(kernel, control);
+    else if (this.document && this.#cut.s !== this.#s) this.#cut = await this.#section(kernel, control, this.#s);
+    this.#host.onprogress(1);
+    this.#repaint();
+    this.#settleLater();
+  }
+
+  /** @param {Kernel} kernel @param {Control} control */
+  async #install(kernel, control) {
+    const incoming = this.#incoming;
+    if (!incoming) return;
+    try {
+      const body = await asked(kernel, incoming.text, control);
+      const verdicts = await body.verdicts({ global: false }, control);
+      const surface = await body.surface(within(body.cells, TOLERANCE), control);
+      if (this.#incoming !== incoming) return;
+      const volume = body.cells.reduce((sum, cell) => sum + Math.abs(cell.volume), 0);
+      [this.document, this.#text] = [incoming.document, incoming.text];
+      this.#known = { verdicts, volume, summary: null };
+      this.result = bodyResult(verdicts, volume, null);
+      this.#shape = shapeOf(surface);
+      this.#s = 0;
+      this.#cut = { s: 0, cut: null };
+      this.#isFine = true;
+      this.#fit(STANDARD.iso);
+      this.#draw();
+      this.#host.onsolved("load");
+      this.#checks.push();
+    } catch (error) {
+      const isOfDocument = error instanceof DirectrixError && error.code !== "trap" && error.code !== "closed";
+      if (control.signal?.aborted || !isOfDocument) throw error;
+      this.#host.onproblem("document", error);
+    }
+    if (this.#incoming === incoming) this.#incoming = null;
+  }
+
+  /** Every check to its end, which may take long. @param {Kernel} kernel @param {AbortSignal} signal */
+  async #check(kernel, signal) {
+    const known = this.#known;
+    if (!known || known.summary) return;
+    const body = await asked(kernel, this.#text, { signal });
+    const verdicts = await body.verdicts({}, { signal });
+    const summary = await body.summary({ signal });
+    if (known !== this.#known) return;
+    this.#known = { ...known, verdicts, summary };
+    this.result = bodyResult(verdicts, known.volume, summary);
+    this.#repaint();
+    this.#host.onsolved("edit");
+  }
+
+  /**
+   * @param {Kernel} kernel
+   * @param {Control} control
+   * @param {number} s
+   */
+  async #section(kernel, control, s) {
+    const plane = this.#planeAt(s);
+    const shape = this.#shape;
+    if (!plane || !shape) return { s, cut: null };
+    const { min, max } = shape.bounds;
+    const body = await asked(kernel, this.#text, control);
+    const section = await body.section({ normal: [0, 1, 0], offset: plane.offset + INSIDE * (max[1] - min[1]) }, {}, control);
+    return { s, cut: cutOf(plane, section) };
+  }
+
+  /** The plane across y that takes away what is before it; null for the whole body. @param {number} s */
+  #planeAt(s) {
+    if (!this.#shape || s <= 0) return null;
+    const { min, max } = this.#shape.bounds;
+    return { normal: [0, 1, 0], offset: min[1] + Math.min(s, 1 - LEFT) * (max[1] - min[1]) };
+  }
+
+  /** @returns {Frame} */
+  get #seenThrough() {
+    return { size: { width: Math.max(1, this.size.width), height: Math.max(1, this.size.height) }, top: 0, bottom: 0 };
+  }
+
+  /** @param {Pick<Camera, "azimuth" | "elevation">} [direction] */
+  #fit(direction = this.#camera) {
+    if (!this.#shape) return;
+    this.#camera = fitted(direction, this.#seenThrough, cornersOf(this.#shape.bounds));
+    this.#fitted = this.#camera.distance;
+    this.#follows = true;
+    this.#repaint();
+    this.#rested();
+  }
+
+  /** @param {Camera} camera @param {boolean} isDrag */
+  #put(camera, isDrag) {
+    this.#camera = camera;
+    this.#follows = false;
+    this.#isFine = false;
+    this.#repaint();
+    if (!isDrag) this.#settleLater();
+  }
+
+  #settleLater() {
+    clearTimeout(this.#idle);
+    if (!this.#isFine) this.#idle = setTimeout(() => this.#rest(), IDLE);
+  }
+
+  #rest() {
+    clearTimeout(this.#idle);
+    this.#isFine = true;
+    this.#repaint();
+    this.#rested();
+  }
+
+  /** Paints before the next frame of the screen. */
+  #repaint() {
+    if (this.#frame === 0 && this.#shape) this.#frame = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    if (!this.#shape || this.size.width < 1 || this.size.height < 1) return;
+    paint(this.#host.canvas, this.#shape, this.#cut.cut, this.#look(globalThis.devicePixelRatio || 1, this.theme));
+    this.#host.onpaint();
+  }
+
+  /** @param {number} ratio @param {"light" | "dark"} theme */
+  #look(ratio, theme) {
+    const folds = this.#known?.verdicts.flatMap(({ witness }) => (witness ? [witness.point] : [])) ?? [];
+    const overlaps = this.#known?.summary?.pairs.flatMap(({ point }) => (point ? [point] : [])) ?? [];
+    return { camera: this.#camera, frame: this.#seenThrough, ratio, theme, isFine: this.#isFine, witnesses: [...folds, ...overlaps] };
+  }
+}
+
+/**
+ * A body whose questions the kernel answers, wherever it runs.
+ *
+ * @param {Kernel} kernel
+ * @param {string} text
+ * @param {Control} control
+ * @returns {Promise<RemoteHyperpatch>}
+ */
+function asked(kernel, text, control) {
+  if (kernel.runsIn !== "main thread") return kernel.call("hyperpatch", [text], control);
+  const send = (/** @type {any[]} */ args) => {
+    const last = args.at(-1);
+    const hasControl = args.length > 2 && typeof last === "object" && last !== null && isControl(last);
+    return kernel.call("hyperpatch", args.slice(0, 2), hasControl ? /** @type {Control} */ (last) : undefined);
+  };
+  return remoteBody(send, text, control);
+}

@@ -1,0 +1,36 @@
+/** The style sheet that a figure of a body has besides that of every figure. */
+
+const CSS = `
+.orbit { position: absolute; inset: 0; z-index: 1; outline: 0; cursor: grab; }
+.orbit.entered { touch-action: none; }
+.orbit.held { cursor: grabbing; }
+.orbit:focus-visible:not(.pointed) { outline: 2px solid var(--accent); outline-offset: -3px; border-radius: 6px; }
+.hint { position: absolute; left: 16px; bottom: calc(100% + 6px); margin: 0; color: var(--text-2); pointer-events: none; }
+.orbit.known ~ .hint, .frame[data-controls="none"] .hint, .frame:not([data-state="shown"]) :is(.hint, .orbit) { display: none; }
+.hint .tap { display: none; }
+@media (pointer: coarse) { .hint .tap { display: inline; } .hint .drag { display: none; } }
+.zooms { display: flex; flex: none; gap: 2px; }
+.zooms button { width: var(--height); height: var(--height); }
+.zooms button:hover { background: var(--hover); }
+.zooms svg { display: block; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round; }
+.frame:not([data-controls="full"]) .zooms { display: none; }
+.result .fact { overflow: hidden; text-overflow: ellipsis; }
+@container (width < 440px) { .zooms { display: none; } }
+@container (width < 340px) { .hint { display: none; } }
+@media print { .hint, .orbit { display: none; } }
+@media (forced-colors: active) { .zooms button { border: 1px solid ButtonText; } }
+`;
+
+/** @type {WeakMap<Document, CSSStyleSheet>} */
+const sheets = new WeakMap();
+
+/** The sheet for the figures of a document, see ../style.js. @param {Document} owner */
+export function bodySheetOf(owner) {
+  let sheet = sheets.get(owner);
+  if (!sheet) {
+    sheet = new (owner.defaultView?.CSSStyleSheet ?? CSSStyleSheet)();
+    sheet.replaceSync(CSS);
+    sheets.set(owner, sheet);
+  }
+  return sheet;
+}
