@@ -54,7 +54,8 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
   let plane = 0;
   let offset = 0;
   let keeps = true;
-  let length = 0;
+  /** Null until one is given: then it is that of a cell. @type {number | null} */
+  let length = null;
   /** @type {"C1" | "free"} */
   let start = "C1";
   /** @type {"u" | "v" | "w"} */
@@ -108,6 +109,14 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
   const apply = h("button", { type: "button", class: "push", "data-build-apply": "", onclick: () => act() });
   const made = checkLines();
 
+  /** How far faces go: as far as a cell of the size of the one behind the first face, until a number is given. */
+  function lengthNow() {
+    const { known, shown } = now();
+    const id = shown.faces[0]?.cell ?? shown.cell ?? known?.cells[0]?.id;
+    const volume = Math.abs(known?.cells.find((cell) => cell.id === id)?.volume ?? 1);
+    return length ?? Number(Math.max(1e-9, Math.cbrt(volume)).toPrecision(2));
+  }
+
   /** What is missing, or null. @returns {string | null} */
   function missing() {
     const { cells, faces } = now().shown;
@@ -123,7 +132,7 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
     const cells = [...shown.cells];
     if (kind === "copy") return { op: "copy", cells, by };
     if (kind === "mirror") return { op: "mirror", cells, normal: UNITS[plane], offset, ...(keeps ? {} : { keep: false }) };
-    if (kind === "extrude") return { op: "extrude", faces: shown.faces.map(({ cell, face }) => ({ cell, face })), by: length, start };
+    if (kind === "extrude") return { op: "extrude", faces: shown.faces.map(({ cell, face }) => ({ cell, face })), by: lengthNow(), start };
     if (kind === "subdivide") return { op: "subdivide", cell: cells[cells.length - 1], axis, at };
     return { op: kind === "reorient" ? "reorient" : "delete", cells };
   }
@@ -151,9 +160,8 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
   function render() {
     const { known, shown } = now();
     const { cells, cell, faces } = shown;
-    // A copy lies beside its original, and a length is a tenth of the body, until other numbers are given.
+    // A copy lies beside its original until another way is given.
     if (!isTouched) by = [Number((step() * 100).toPrecision(2)), 0, 0];
-    if (length === 0) length = Number((step() * 10).toPrecision(2));
     choice.set(kind);
     for (const each of KINDS) parts[each].hidden = each !== kind;
     ways.forEach((field, k) => field.set(by[k]));
@@ -161,7 +169,7 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
     place.set(offset);
     keep.set(keeps);
     picks.set(shown.picksFaces);
-    far.set(length);
+    far.set(lengthNow());
     starts.set(start);
     write(startNote, said.startNote[start]);
     axes.set(axis);

@@ -9,6 +9,9 @@ import { words } from "./words.js";
 
 const said = words.build;
 
+/** @param {string} text */
+const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
 export function checkLines() {
   const element = h("dl", { class: "check-lines", "data-checks": "", hidden: true });
   let drawn = "";
@@ -18,7 +21,7 @@ export function checkLines() {
     render(checks) {
       element.hidden = !checks;
       if (!checks) return;
-      const lines = /** @type {const} */ (["injective", "meetings", "continuity"]).map((name) => ({ name, ok: name === "continuity" || checks[name].ok, message: checks[name].message }));
+      const lines = /** @type {const} */ (["injective", "meetings", "continuity"]).map((name) => ({ name, ok: name === "continuity" || checks[name].ok, message: sentence(checks[name].message) }));
       const key = JSON.stringify(lines);
       if (key === drawn) return;
       drawn = key;

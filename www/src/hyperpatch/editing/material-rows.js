@@ -11,7 +11,6 @@ import { mixingControl } from "../../controls/mixing.js";
 import { row } from "../../controls/row.js";
 import { select } from "../../controls/select.js";
 import { attribute, h, write } from "../../dom.js";
-import { written } from "../../state/mix.js";
 import { placeOf } from "../cell.js";
 import { bodyOf } from "../document.js";
 import { placeOfCorner } from "../edits.js";
@@ -39,6 +38,13 @@ export function mixTarget(mode, { cells, corner, at }) {
   }
   if (mode === "corner") return { cell, corner: triple(ends) };
   return cells.length > 0 ? { cell, corner: triple(ends), within: [...cells] } : null;
+}
+
+/** A mean in whole percents, whose sum stays 1. @param {number[]} mix */
+function wholePercents(mix) {
+  const parts = mix.map((fraction) => Math.round(fraction * 100));
+  parts[parts.indexOf(Math.max(...parts))] += 100 - parts.reduce((sum, part) => sum + part, 0);
+  return parts.map((part) => part / 100);
 }
 
 /** @param {readonly number[]} list */
@@ -110,7 +116,7 @@ export function materialRows(app, { now, around, joint, append }) {
     if (last?.op === "mix" && known && last !== known.document.operations.at(-1)) return last.mix;
     if (mode !== "cells") return /** @type {number[]} */ (cell.coefficients[placeOf(place.at[0], place.at[1], place.at[2])].mix);
     const { length } = cell.coefficients;
-    return written(bodyOf(app).materials.map((_, i) => cell.coefficients.reduce((sum, { mix = [] }) => sum + (mix[i] ?? 0) / length, 0)));
+    return wholePercents(bodyOf(app).materials.map((_, i) => cell.coefficients.reduce((sum, { mix = [] }) => sum + (mix[i] ?? 0) / length, 0)));
   }
 
   function render() {
