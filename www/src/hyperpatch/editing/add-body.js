@@ -1,10 +1,10 @@
 /**
- * A saved body that is added to the open one: chosen as a file.
+ * A saved body that is added to the open one: from a file that is chosen or dropped on the group, or from text that is pasted there.
  *
  * @import { HyperpatchDocument } from "../../../../js/directrix.js"
  * @import { App } from "../../state/app.js"
  */
-import { h } from "../../dom.js";
+import { h, write } from "../../dom.js";
 import { problem } from "../../painter.js";
 import { isBody } from "../kind.js";
 import { words } from "./words.js";
@@ -18,24 +18,25 @@ const said = words.build;
  * @param {string} name by which it is spoken of
  * @returns {Promise<string | null>} why it was not added, or null
  */
-export async function mergeBody(app, other, name) {
+async function mergeBody(app, other, name) {
   const { store, kernel } = app;
+  const { origin } = store;
   for (;;) {
-    const before = store.document;
-    const origin = store.origin;
+    const before = /** @type {HyperpatchDocument} */ (/** @type {unknown} */ (store.document));
     /** @type {HyperpatchDocument} */
     let next;
     try {
-      next = await kernel.merge(/** @type {any} */ (before), other);
+      next = await kernel.merge(before, other);
     } catch (error) {
       return problem(error).message;
     }
     if (store.origin !== origin) return null;
-    // What was edited meanwhile is not lost: it is merged again.
-    if (store.document !== before) continue;
+    // What was edited meanwhile is not lost: it is merged with that.
+    if (/** @type {unknown} */ (store.document) !== before) continue;
     const last = next.operations.at(-1);
-    if (last?.op !== "cells" || next.operations.length === /** @type {any} */ (before).operations.length) return said.empty;
-    store.commit({ change: (document) => /** @type {any} */ ({ ...document, ...next }) });
+    if (last?.op !== "cells" || next.operations.length === before.operations.length) return said.empty;
+    const { materials, operations } = next;
+    store.commit({ change: (document) => /** @type {any} */ ({ ...document, materials, operations }) });
     app.say(said.merged(last.cells.length, name));
     return null;
   }
@@ -44,26 +45,63 @@ export async function mergeBody(app, other, name) {
 /** @param {App} app */
 export function addBody(app) {
   const input = h("input", { type: "file", accept: ".json,application/json", hidden: true, "data-add-body": "" });
-  input.addEventListener("change", async () => {
+  const error = h("p", { class: "field-error", role: "alert", hidden: true, "data-add-error": "" });
+  const choose = h("button", { type: "button", class: "push", "data-add-choose": "", onclick: () => input.click() }, said.choose);
+  const element = h("div", { class: "body-adding" }, h("p", { class: "body-note" }, said.importNote), h("div", { class: "body-buttons" }, choose), input, error);
+  input.addEventListener("change", () => {
     const [file] = input.files ?? [];
+    if (file) void take(file, file.name);
     input.value = "";
-    if (!file) return;
-    const reason = await added(file);
-    app.ui.set({ note: reason === null ? null : { tone: "error", text: reason } });
   });
-  document.body.append(input);
 
-  /** @param {File} file @returns {Promise<string | null>} */
-  async function added(file) {
+  /** @param {{text: () => Promise<string>}} from @param {string} name */
+  async function take(from, name) {
+    const reason = await added(from, name);
+    error.hidden = reason === null;
+    write(error, reason ?? "");
+  }
+
+  /** @param {{text: () => Promise<string>}} from @param {string} name @returns {Promise<string | null>} */
+  async function added(from, name) {
     /** @type {unknown} */
     let value;
     try {
-      value = JSON.parse(await file.text());
+      value = JSON.parse(await from.text());
     } catch {
       return said.notBody;
     }
-    return isBody(/** @type {any} */ (value)) ? mergeBody(app, /** @type {HyperpatchDocument} */ (value), file.name) : said.notBody;
+    const isObject = typeof value === "object" && value !== null;
+    return isObject && isBody(/** @type {any} */ (value)) ? mergeBody(app, /** @type {HyperpatchDocument} */ (value), name) : said.notBody;
   }
 
-  return { choose: () => input.click(), close: () => input.remove() };
+  return {
+    element,
+    /** Takes what is dropped or pasted on an element, which elsewhere on the page opens. @param {HTMLElement} target */
+    listen(target) {
+      target.addEventListener("dragover", (event) => {
+        if (!event.dataTransfer?.types.includes("Files")) return;
+        event.preventDefault();
+        event.stopPropagation();
+        target.classList.add("dropping");
+      });
+      target.addEventListener("dragleave", () => target.classList.remove("dropping"));
+      target.addEventListener("drop", (event) => {
+        const [file] = event.dataTransfer?.files ?? [];
+        target.classList.remove("dropping");
+        if (!file) return;
+        event.preventDefault();
+        event.stopPropagation();
+        void take(file, file.name);
+      });
+      target.addEventListener("paste", (event) => {
+        const [file] = event.clipboardData?.files ?? [];
+        const text = event.clipboardData?.getData("text/plain") ?? "";
+        const isTyped = event.target instanceof HTMLInputElement && event.target.type === "text";
+        if (isTyped || (!file && text.trim() === "")) return;
+        event.preventDefault();
+        event.stopPropagation();
+        void take(file ?? { text: async () => text }, file?.name ?? said.pasted);
+      });
+    },
+  };
 }

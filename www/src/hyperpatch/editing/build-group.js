@@ -40,11 +40,11 @@ const UNITS = [
  * @param {() => number} of.step of lengths, document units
  * @param {(patch: Partial<Shown>) => void} of.change
  * @param {(operation: Operation) => void} of.append
- * @param {() => void} of.chooseFile
+ * @param {ReturnType<typeof import("./add-body.js").addBody>} of.file
  * @param {import("./checks.js").Checks} of.checks
  * @returns {Group}
  */
-export function buildGroup(app, { now, step, change, append, chooseFile, checks }) {
+export function buildGroup(app, { now, step, change, append, file, checks }) {
   /** @type {Kind} */
   let kind = "copy";
   /** @type {Vector} */
@@ -103,7 +103,7 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
     subdivide: h("div", {}, row(said.axis, axes), row(said.at, where), h("p", { class: "body-note" }, said.sheet)),
     reorient: h("p", { class: "body-note" }, said.reorientNote),
     delete: h("div", {}),
-    import: h("p", { class: "body-note" }, said.importNote),
+    import: file.element,
   };
   const about = h("p", { class: "body-note", "data-build-about": "" });
   const apply = h("button", { type: "button", class: "push", "data-build-apply": "", onclick: () => act() });
@@ -138,11 +138,7 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
   }
 
   function act() {
-    if (missing() !== null) return;
-    if (kind === "import") {
-      chooseFile();
-      return;
-    }
+    if (kind === "import" || missing() !== null) return;
     const next = operation();
     append(next);
     app.say(words.sentence(next));
@@ -185,7 +181,8 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
     const why = missing();
     write(about, why ?? (kind === "import" || kind === "extrude" ? "" : said.of(kind === "subdivide" ? cells.slice(-1) : cells)));
     about.hidden = about.textContent === "";
-    write(apply, said.apply[kind]);
+    apply.hidden = kind === "import";
+    if (kind !== "import") write(apply, said.apply[kind]);
     attribute(apply, "aria-disabled", why === null ? null : "true");
     attribute(apply, "title", why);
     const { operations } = bodyOf(app);
@@ -193,10 +190,13 @@ export function buildGroup(app, { now, step, change, append, chooseFile, checks 
     made.render(last && last.made.length > 0 && operations.length > 1 ? checks.of(last.id) : null);
   }
 
+  const body = h("div", {}, row(said.what, choice), ...KINDS.map((each) => parts[each]), about, h("div", { class: "body-buttons" }, apply), made.element);
+  file.listen(body);
+
   return {
     name: "build",
     heading: words.groups.build,
-    body: h("div", {}, row(said.what, choice), ...KINDS.map((each) => parts[each]), about, h("div", { class: "body-buttons" }, apply), made.element),
+    body,
     phrase: () => said.kinds[kind],
     render,
   };

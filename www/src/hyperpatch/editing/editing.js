@@ -70,7 +70,7 @@ export function createEditing(app, { now, change, corner, step, render }) {
       materials: materialRows(app, { now, around: around.current, joint: () => joints.joint, append }),
     },
     groups: [
-      buildGroup(app, { now, step, change, append, chooseFile: file.choose, checks }),
+      buildGroup(app, { now, step, change, append, file, checks }),
       operationsGroup(app, {
         now,
         step,
@@ -136,7 +136,6 @@ export function createEditing(app, { now, change, corner, step, render }) {
     close() {
       around.close();
       checks.close();
-      file.close();
     },
   };
 
