@@ -31,11 +31,11 @@ async function openGroup(page, name) {
 /** Chooses a corner that so many cells have, by the keys of the picture. @param {Page} page @param {number} cells */
 async function chooseCorner(page, cells) {
   await page.locator("[data-body-keys]").focus();
-  for (let n = 0; n < 27; n += 1) {
+  for (let n = 1; n <= 27; n += 1) {
     await page.keyboard.press("PageDown");
     const said = await eventually(async () => {
       const text = await spoken(page);
-      assert.match(text, /^Corner \d+ of 27/);
+      assert.ok(text.startsWith(`Corner ${n} of 27`), text);
       return text;
     });
     if (said.includes(cells === 1 ? "of one cell" : `shared by ${cells} cells`)) return;
@@ -65,7 +65,7 @@ test("a body is edited by its corners, mixes and cells, each edit an operation, 
     return list;
   });
   const neighbours = dx.hyperpatch(first).moves(move.cell, move.at);
-  assert.equal(neighbours.length, 27 + 27, "18 points, as each of their cells has them");
+  assert.equal(neighbours.length, 2 * (4 + 4 * 2 + 4), "18 points, as each of their cells has them");
   await checked(page);
   const smooth = dx.hyperpatch(await documentOf(page)).continuity();
   assert.ok(smooth.faces.every(({ shape }) => shape === "C1"));
@@ -107,9 +107,10 @@ test("a body is edited by its corners, mixes and cells, each edit an operation, 
   assert.deepEqual(await audit(page), []);
 
   // Undo, entry by entry, gives the bytes of the preset.
-  const undo = page.locator("[data-action=undo]");
-  while (await undo.isEnabled()) await undo.click();
-  await eventually(async () => assert.equal(JSON.stringify(await documentOf(page)), JSON.stringify(first)));
+  await eventually(async () => {
+    await page.locator("[data-action=undo]").evaluate((button) => /** @type {HTMLElement} */ (button).click());
+    assert.equal(JSON.stringify(await documentOf(page)), JSON.stringify(first));
+  });
 });
 
 test("an edit that turns a cell inside out is red while it is dragged, then kept or taken back; cells are added with their checks", async (t) => {

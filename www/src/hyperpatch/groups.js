@@ -56,7 +56,7 @@ const NUDGE = 0.01;
  * @param {App} app
  * @param {() => Now} now
  * @param {Acts} acts
- * @param {{cells: Part, corner: Part, materials: Part}} parts by which the groups are edited
+ * @param {{cells: Part, corner: Part & {grid: HTMLElement}, materials: Part}} parts by which the groups are edited
  * @param {Group[]} more groups, of editing
  * @returns {Group[]}
  */
@@ -159,7 +159,7 @@ function cellFacts(app, known, verdict, volume) {
   ];
 }
 
-/** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part} part @returns {Group} */
+/** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part & {grid: HTMLElement}} part @returns {Group} */
 function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }, part) {
   const snapText = h("span", {});
   const fields = /** @type {const} */ ([0, 1, 2]).map((axis) => {
@@ -181,7 +181,7 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }, 
   const note = h("p", { class: "body-note" });
   const next = h("button", { type: "button", class: "push", "data-corner-next": "", onclick: nextCorner }, words.corner.next);
   const clear = h("button", { type: "button", class: "push", "data-corner-clear": "", onclick: () => change({ corner: null }) }, words.corner.clear);
-  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note, snap.element);
+  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), part.grid, row(words.corner.reach, reach), note, snap.element);
   return {
     name: "corner",
     heading: words.groups.corner,

@@ -1,10 +1,11 @@
 /**
- * Choosing several cells.
+ * Choosing several cells, and what happens to edits that make one invalid.
  *
  * @import { Known } from "../runner.js"
  * @import { Shown } from "../state.js"
  */
-import { checkBox } from "../../controls/choices.js";
+import { checkBox, segment } from "../../controls/choices.js";
+import { row } from "../../controls/row.js";
 import { h, write } from "../../dom.js";
 import { words } from "./words.js";
 
@@ -25,11 +26,16 @@ export function cellRows({ now, change }) {
     change({ cells: ids, cell: ids.at(-1) ?? null });
   });
   none.addEventListener("click", () => change({ cells: [], cell: null }));
+  const policy = segment(
+    { label: words.refusal.setting, name: "invalid", choices: /** @type {const} */ (["ask", "refuse", "keep"]).map((value) => ({ value, text: words.refusal.settings[value] })) },
+    (value) => change({ invalid: value }),
+  );
   return {
-    element: h("div", { class: "body-choosing" }, several.element, count, all, none),
+    element: h("div", {}, h("div", { class: "body-choosing" }, several.element, count, all, none), row(words.refusal.setting, policy)),
     render() {
       const { shown } = now();
       several.set(shown.picksCells);
+      policy.set(shown.invalid);
       write(count, shown.cells.length > 1 ? said.chosen(shown.cells.length) : "");
     },
   };

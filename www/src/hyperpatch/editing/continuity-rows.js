@@ -21,6 +21,10 @@ export function continuityRows(append) {
   let where = "corner";
   /** @type {Around["neighbourhood"]["joints"]} */
   let joints = [];
+  /** What was switched and is not answered yet. @type {{known: unknown, what: "shape" | "material", kind: MarkName} | null} */
+  let pending = null;
+  /** The body that is looked at. */
+  let known = /** @type {unknown} */ (null);
   const kinds = /** @type {const} */ (["C1", "C0", "none"]).map((value) => ({ value, text: said.kinds[value === "none" ? "none" : value] }));
   const switches = /** @type {const} */ (["shape", "material"]).map((what) => ({ what, control: segment({ label: said[what], name: `joint-${what}`, choices: kinds }, (value) => set(what, value)) }));
   const reach = segment({ label: said.where, name: "joint-where", choices: /** @type {const} */ (["corner", "face"]).map((value) => ({ value, text: said.wheres[value] })) }, (value) => (where = value));
@@ -36,6 +40,7 @@ export function continuityRows(append) {
   function set(what, kind) {
     const [side] = joints[at]?.sides ?? [];
     if (!side) return;
+    pending = { known, what, kind };
     const corner = where === "corner" ? { corner: /** @type {[number, number, number]} */ ([...side.corner]) } : {};
     append({ op: "continuity", cell: side.cell, face: side.face, ...corner, [what]: kind }, said.set(said[what], said.kinds[kind]));
   }
@@ -49,6 +54,8 @@ export function continuityRows(append) {
     /** @param {Around | null} around */
     render(around) {
       joints = around?.neighbourhood.joints ?? [];
+      known = around?.known ?? null;
+      if (pending?.known !== known) pending = null;
       element.hidden = !around;
       at = Math.min(at, Math.max(0, joints.length - 1));
       rows.hidden = joints.length === 0;
@@ -72,7 +79,7 @@ export function continuityRows(append) {
       write(note, said.none);
       return;
     }
-    for (const { what, control } of switches) control.set(found[what]);
+    for (const { what, control } of switches) control.set(pending?.what === what ? pending.kind : found[what]);
     const how = (/** @type {boolean} */ isMarked) => (isMarked ? said.marked : said.found);
     write(note, said.says(how(found.shapeMarked), how(found.materialMarked)));
   }

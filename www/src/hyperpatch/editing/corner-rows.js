@@ -10,7 +10,6 @@
  */
 import { checkBox, segment } from "../../controls/choices.js";
 import { row } from "../../controls/row.js";
-import { select } from "../../controls/select.js";
 import { h, write } from "../../dom.js";
 import { coordinate } from "../../format.js";
 import { bodyOf } from "../document.js";
@@ -47,7 +46,6 @@ export function cornerRows(app, { now, around, corner, change, append }) {
   const mirror = segment({ label: said.mirror, name: "corner-mirror", choices: /** @type {const} */ (["off", "x", "y", "z"]).map((value) => ({ value, text: said.planes[value] })) }, (value) => change({ mirror: value }));
   const middle = checkBox({ name: "corner-middle", text: [said.middle] }, (on) => change({ isMiddle: on }));
   const opposite = h("p", { class: "body-note" });
-  const policy = select({ label: words.refusal.setting, name: "corner-invalid", choices: /** @type {const} */ (["ask", "refuse", "keep"]).map((value) => ({ value, text: words.refusal.settings[value] })) }, (value) => change({ invalid: value }));
   const joints = continuityRows((operation, told) => {
     append(operation);
     app.say(told);
@@ -55,22 +53,22 @@ export function cornerRows(app, { now, around, corner, change, append }) {
   const element = h(
     "div",
     {},
-    grid.element,
     h("div", { class: "body-choosing" }, several.element, count, only),
     row(said.mirror, mirror),
     middle.element,
     opposite,
-    row(words.refusal.setting, policy),
     joints.element,
   );
   return {
     element,
+    /** The small grid, which stands by itself below the place. */
+    grid: grid.element,
     get joint() {
       return joints.joint;
     },
     render() {
       const { shown } = now();
-      element.hidden = !shown.corner;
+      element.hidden = grid.element.hidden = !shown.corner;
       if (!shown.corner) return;
       const found = around();
       grid.render(found, shown.at ?? placeOfCorner(shown.corner), bodyOf(app).materials);
@@ -84,7 +82,6 @@ export function cornerRows(app, { now, around, corner, change, append }) {
       const across = corner.opposite();
       opposite.hidden = across === null;
       write(opposite, across === null ? "" : said[across]);
-      policy.set(shown.invalid);
       joints.render(found);
     },
   };
