@@ -7,9 +7,14 @@ import { load } from "directrix";
 import { root } from "../../scripts/lib/paths.mjs";
 import { faceSegments, edgeSegments } from "../../www/src/hyperpatch/cell.js";
 import { cellsIn, cellsOf } from "../../www/src/hyperpatch/document.js";
+import { nodesOf } from "../../www/src/hyperpatch/editing/grid.js";
+import { mixTarget, wholePercents } from "../../www/src/hyperpatch/editing/mix.js";
 import { mirroredWay, opposite } from "../../www/src/hyperpatch/editing/mirror.js";
 import { appended, changed, idsOf, moved, movedSince, placeOfCorner, shifted, without } from "../../www/src/hyperpatch/edits.js";
-import { toggled } from "../../www/src/hyperpatch/state.js";
+import { along, flat } from "../../www/src/hyperpatch/editing/profile.js";
+import { newlyInvalid, reasonOf } from "../../www/src/hyperpatch/editing/refusal.js";
+import { words } from "../../www/src/hyperpatch/editing/words.js";
+import { FIRST_SHOWN, toggled, withoutGone } from "../../www/src/hyperpatch/state.js";
 
 /** @typedef {import("../../www/src/hyperpatch/document.js").BodyDocument} BodyDocument */
 
@@ -159,4 +164,94 @@ test("with what belongs to it a corner stays smooth, alone it does not", () => {
     dx.hyperpatch(moved(block, [{ place, by: [0.1, 0.05, 0] }], reach)).continuity().faces.every(({ shape }) => shape === "C1");
   assert.equal(isSmooth("block"), true);
   assert.equal(isSmooth("single"), false);
+});
+
+test("what a mix goes to follows what is chosen", () => {
+  const corner = { cell: 3, corner: [1, 0, 1] };
+  const chosen = { cells: [1, 2], corner, at: null };
+  assert.deepEqual(mixTarget("cells", chosen), { cells: [1, 2] });
+  assert.deepEqual(mixTarget("corner", chosen), { cell: 3, corner: [1, 0, 1] });
+  assert.deepEqual(mixTarget("within", chosen), { cell: 3, corner: [1, 0, 1], within: [1, 2] });
+  assert.deepEqual(mixTarget("at", chosen), { cell: 3, at: [3, 0, 3] });
+  assert.deepEqual(mixTarget("at", { ...chosen, at: { cell: 4, at: [2, 0, 1] } }), { cell: 4, at: [2, 0, 1] });
+  assert.equal(mixTarget("within", { ...chosen, cells: [] }), null);
+  assert.equal(mixTarget("corner", { ...chosen, corner: null }), null);
+  assert.equal(mixTarget("cells", { ...chosen, cells: [] }), null);
+  assert.deepEqual(wholePercents([0.406, 0.344, 0.25]), [0.41, 0.34, 0.25]);
+  for (const mix of [[1 / 3, 1 / 3, 1 / 3], [0.005, 0.995], [1]]) assert.ok(Math.abs(wholePercents(mix).reduce((sum, each) => sum + each, 0) - 1) < 1e-12);
+});
+
+test("the grid of a corner has every coefficient once, the corner in the middle", () => {
+  const body = dx.hyperpatch(block);
+  for (const { sides } of body.sharing().corners) {
+    const [side] = sides;
+    const neighbourhood = body.neighbourhood(side.cell, /** @type {[number, number, number]} */ (side.corner));
+    const nodes = nodesOf({ neighbourhood, side });
+    assert.equal(nodes.length, neighbourhood.points.length);
+    assert.equal(new Set(nodes.map(({ at }) => String(at))).size, nodes.length);
+    assert.deepEqual(nodes.filter(({ isCorner }) => isCorner).map(({ at }) => at), [[0, 0, 0]]);
+  }
+  // At a crease there is no grid of all: those of the cell alone.
+  const neighbourhood = { ...body.neighbourhood(0, [1, 1, 1]), regular: false };
+  assert.equal(nodesOf({ neighbourhood, side: { cell: 0, corner: [1, 1, 1] } }).length, 8);
+});
+
+test("the profile across two cells is that of the kernel, and flat where the flat rule holds", () => {
+  const [cell] = cellsOf(block);
+  const body = dx.hyperpatch(block);
+  const list = along(cell, { face: "u1", corner: [1, 0, 1] }, 3);
+  for (const share of [0, 0.25, 0.5, 1]) near(list[24 * share], body.sample(0, [share, 0, 1]).mix);
+  // The presets follow the paper's rule.
+  flat(list[0], list[24]).forEach((mix, n) => mix.forEach((fraction, i) => assert.ok(Math.abs(fraction - list[n][i]) < 1e-9)));
+});
+
+test("an edit is refused for cells that were not invalid before", async () => {
+  const verdicts = dx.hyperpatch(await preset("invalid")).verdicts();
+  assert.equal(newlyInvalid(verdicts, new Set([0])).length, 0);
+  const bad = newlyInvalid(verdicts, new Set());
+  assert.equal(bad.length, 1);
+  assert.match(reasonOf(bad), /^Cell 0 is turned inside out/);
+  assert.match(reasonOf([...bad, ...bad]), /1 other is invalid/);
+});
+
+test("every operation has a sentence", () => {
+  const said = [
+    { op: "cells", cells: [{}, {}] },
+    { op: "move", cell: 3, at: [0, 3, 3], by: [0.25, 0, -1] },
+    { op: "move", cell: 3, at: [1, 3, 3], by: [0, 0, 1], reach: "single" },
+    { op: "continuity", cell: 0, face: "u1", corner: [1, 0, 0], shape: "C0" },
+    { op: "mix", mix: [0.25, 0.75], cells: [1, 2] },
+    { op: "mix", mix: [0, 1], cell: 1, corner: [0, 0, 1], within: [1] },
+    { op: "slope", cell: 0, corner: [0, 0, 0], rule: "natural" },
+    { op: "delete", cells: [1, 2, 3, 4, 5] },
+    { op: "copy", cells: [1], by: [7, 0, 0] },
+    { op: "mirror", cells: [1], normal: [0, 2, 0], offset: 1 },
+    { op: "reorient", cells: [10000] },
+    { op: "extrude", faces: [{ cell: 0, face: "w1" }], by: 0.5 },
+    { op: "subdivide", cell: 0, axis: "v" },
+  ].map((operation) => words.sentence(/** @type {any} */ (operation)));
+  assert.deepEqual(said, [
+    "2 cells as given",
+    "Move corner of cell 3 by 0.25, 0, \u22121",
+    "Move coefficient 133 of cell 3 by 0, 0, 1, alone",
+    "Corner 100 of face u1 of cell 0: shape C0",
+    "Mix 25 : 75 in cells 1, 2",
+    "Mix 0 : 100 in corner 001 of cell 1, within cell 1",
+    "Natural slope of material at corner 000 of cell 0",
+    "Delete 5 cells",
+    "Copy cell 1 by 7, 0, 0",
+    "Mirror cell 1 across y = 0.5",
+    "Turn the parameters of cell 10000 round",
+    "Extrude face w1 of cell 0 by 0.5",
+    "Subdivide cell 0 along v at 0.5",
+  ]);
+});
+
+test("what the body does not have any more is not chosen any more", () => {
+  const body = dx.hyperpatch(block);
+  const known = { cells: body.cells.slice(0, 4), sharing: body.sharing() };
+  const shown = { ...FIRST_SHOWN, cells: [1, 6], cell: 6, corner: { cell: 6, corner: [0, 0, 0] }, others: [{ cell: 1, corner: [0, 0, 0] }], at: { cell: 6, at: [1, 0, 0] } };
+  const left = withoutGone(shown, known);
+  assert.deepEqual([left.cells, left.cell, left.corner, left.others, left.at], [[1], 1, null, shown.others, null]);
+  assert.equal(withoutGone(left, known), left);
 });

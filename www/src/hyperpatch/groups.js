@@ -193,7 +193,7 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }, 
     render() {
       const { corner } = now();
       rows.hidden = clear.hidden = !corner;
-      write(about, corner ? words.corner.shared(new Set(corner.sides.map(({ cell }) => cell)).size) : words.corner.hint);
+      write(about, corner ? words.corner.about(new Set(corner.sides.map(({ cell }) => cell)).size, bodyOf(app).unit) : words.corner.hint);
       snap.set(app.ui.value.snap);
       write(snapText, words.corner.snap(`${nudgeOf(now().known)}\u00a0${bodyOf(app).unit}`.trim()));
       reach.set(now().shown.reach);

@@ -48,6 +48,7 @@ export const words = {
     none: "no corner chosen",
     hint: "Tap a corner in the picture, or use Page Down there.",
     shared: (/** @type {number} */ count) => (count === 1 ? "of one cell" : `shared by ${count} cells`),
+    about: (/** @type {number} */ count, /** @type {string} */ unit) => `${count === 1 ? "Of one cell" : `Shared by ${count} cells`}${unit ? `, in ${unit}` : ""}`,
     position: "Position",
     reach: "Moves",
     reaches: { block: "With others", single: "Alone" },

@@ -33,6 +33,9 @@ const UNITS = [
 
 /** @typedef {typeof KINDS[number]} Kind */
 
+/** @param {string} text @param {string} unit */
+const withUnit = (text, unit) => (unit ? `${text}, ${unit}` : text);
+
 /**
  * @param {App} app
  * @param {object} of
@@ -96,10 +99,11 @@ export function buildGroup(app, { now, step, change, append, file, checks }) {
   const startNote = h("p", { class: "body-note" });
   const axes = segment({ label: said.axis, name: "build-axis", choices: /** @type {const} */ (["u", "v", "w"]).map((value) => ({ value, text: value })) }, (value) => (axis = value));
   const where = numberField({ label: said.at, name: "build-at", min: INSIDE, max: 1 - INSIDE, step: 0.05, decimals: 2 }, { change: (value) => (at = value) });
+  const labels = { by: h("p", { class: "body-label" }), place: h("span", {}), length: h("span", {}) };
   const parts = {
-    copy: h("div", {}, h("div", { class: "body-fields" }, ...ways.map(({ element }) => element)), ...ways.map(({ error }) => error)),
-    mirror: h("div", {}, row(said.plane, planes), row(said.place, place), keep.element),
-    extrude: h("div", {}, picks.element, h("div", { class: "body-faces", role: "group", "aria-label": said.faces }, ...faceButtons), facesNote, row(said.length, far), row(said.start, starts), startNote),
+    copy: h("div", {}, labels.by, h("div", { class: "body-fields" }, ...ways.map(({ element }) => element)), ...ways.map(({ error }) => error)),
+    mirror: h("div", {}, row(said.plane, planes), row(labels.place, place), keep.element),
+    extrude: h("div", {}, picks.element, h("div", { class: "body-faces", role: "group", "aria-label": said.faces }, ...faceButtons), facesNote, row(labels.length, far), row(said.start, starts), startNote),
     subdivide: h("div", {}, row(said.axis, axes), row(said.at, where), h("p", { class: "body-note" }, said.sheet)),
     reorient: h("p", { class: "body-note" }, said.reorientNote),
     delete: h("div", {}),
@@ -159,6 +163,7 @@ export function buildGroup(app, { now, step, change, append, file, checks }) {
     // A copy lies beside its original until another way is given.
     if (!isTouched) by = [Number((step() * 100).toPrecision(2)), 0, 0];
     choice.set(kind);
+    for (const name of /** @type {const} */ (["by", "place", "length"])) write(labels[name], withUnit(said[name], bodyOf(app).unit));
     for (const each of KINDS) parts[each].hidden = each !== kind;
     ways.forEach((field, k) => field.set(by[k]));
     planes.set("xyz"[plane]);

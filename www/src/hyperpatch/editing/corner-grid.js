@@ -5,36 +5,18 @@
  * @import { Material } from "../../types.js"
  * @import { Place } from "../edits.js"
  * @import { Around, Point } from "./around.js"
+ * @import { Node } from "./grid.js"
  */
 import { attribute, h, write } from "../../dom.js";
 import { coordinate, percent } from "../../format.js";
 import { NOTHING } from "../../space/card.js";
 import { mixed } from "../../oklab.js";
 import { isPlace, pointOf } from "./around.js";
+import { nodesOf } from "./grid.js";
 import { words } from "./words.js";
 
-/** @typedef {{point: Point, at: readonly number[], name: string}} Node at: its place in the grid, along u, v and w */
-
-/**
- * Points of a corner in a grid: by their offsets, or at a crease those of the asked cell, inwards from the corner.
- * @param {Around} around
- * @returns {Node[]}
- */
-export function nodesOf({ neighbourhood, side }) {
-  if (neighbourhood.regular) {
-    return neighbourhood.points.flatMap((point) => {
-      const { offset } = point;
-      if (!offset) return [];
-      return [{ point, at: offset, name: offset.every((step) => step === 0) ? words.grid.corner : words.grid.point(offset) }];
-    });
-  }
-  return neighbourhood.points.flatMap((point) => {
-    const user = point.users.find(({ cell }) => cell === side.cell);
-    if (!user) return [];
-    const isItself = user.at.every((along, k) => along === 3 * side.corner[k]);
-    return [{ point, at: user.at, name: isItself ? words.grid.corner : words.grid.inner(user.at) }];
-  });
-}
+/** What a node is called. @param {Node} node @param {boolean} isRegular */
+const nameOf = ({ at, isCorner }, isRegular) => (isCorner ? words.grid.corner : isRegular ? words.grid.point(at) : words.grid.inner(at));
 
 /** @param {(place: Place, point: Point) => void} choose */
 export function cornerGrid(choose) {
@@ -68,7 +50,7 @@ export function cornerGrid(choose) {
       if (key !== drawn) {
         drawn = key;
         const isFocused = element.contains(document.activeElement);
-        rebuild(nodes);
+        rebuild(nodes, around.neighbourhood.regular);
         if (isFocused) buttons.find(({ button }) => button.tabIndex === 0)?.button.focus();
       }
       const current = chosen && pointOf(around, chosen);
@@ -77,7 +59,8 @@ export function cornerGrid(choose) {
         const node = byPlace.get(String(each.node.at));
         if (!node) continue;
         each.node = node;
-        const { point, name } = node;
+        const { point } = node;
+        const name = nameOf(node, around.neighbourhood.regular);
         const isChosen = point === current;
         const { button } = each;
         attribute(button, "aria-pressed", String(isChosen));
@@ -94,8 +77,8 @@ export function cornerGrid(choose) {
     },
   };
 
-  /** @param {Node[]} nodes */
-  function rebuild(nodes) {
+  /** @param {Node[]} nodes @param {boolean} isRegular */
+  function rebuild(nodes, isRegular) {
     const along = [0, 1, 2].map((k) => [...new Set(nodes.map(({ at }) => at[k]))].sort((a, b) => a - b));
     buttons = [];
     const layers = along[2].map((w) => {
@@ -103,8 +86,7 @@ export function cornerGrid(choose) {
         along[0].map((u) => {
           const node = nodes.find(({ at }) => at[0] === u && at[1] === v && at[2] === w);
           if (!node) return h("span", {});
-          const isCorner = node.name === words.grid.corner;
-          const button = h("button", { type: "button", class: isCorner ? "corner-node corner" : "corner-node", "data-node": node.at.join(" "), tabIndex: -1 });
+          const button = h("button", { type: "button", class: node.isCorner ? "corner-node corner" : "corner-node", "data-node": node.at.join(" "), tabIndex: -1 });
           const each = { node, button };
           button.addEventListener("click", () => {
             const [user] = each.node.point.users;
@@ -116,7 +98,7 @@ export function cornerGrid(choose) {
       );
       const layer = h("div", { class: "corner-layer" }, ...rows);
       layer.style.setProperty("--columns", String(along[0].length));
-      return h("div", {}, layer, h("span", { class: "corner-layer-name", "aria-hidden": "true" }, Math.abs(w) <= 1 && along[2][0] <= 0 && nodes.some(({ at }) => at.every((step) => step === 0)) ? words.grid.layer(w) : `w ${w}`));
+      return h("div", {}, layer, h("span", { class: "corner-layer-name", "aria-hidden": "true" }, isRegular ? words.grid.layer(w) : `w ${w}`));
     });
     element.replaceChildren(...layers);
   }

@@ -136,6 +136,7 @@ export function createEditing(app, { now, change, corner, step, render }) {
     close() {
       around.close();
       checks.close();
+      refusal.close();
     },
   };
 

@@ -6,6 +6,7 @@
  * @import { Shown } from "../state.js"
  * @import { Operation, Place } from "../edits.js"
  * @import { Around } from "./around.js"
+ * @import { Mode } from "./mix.js"
  */
 import { mixingControl } from "../../controls/mixing.js";
 import { row } from "../../controls/row.js";
@@ -14,42 +15,12 @@ import { attribute, h, write } from "../../dom.js";
 import { placeOf } from "../cell.js";
 import { bodyOf } from "../document.js";
 import { placeOfCorner } from "../edits.js";
+import { MODES, mixTarget, triple, wholePercents } from "./mix.js";
 import { threeOf } from "./operation-numbers.js";
 import { profile } from "./profile.js";
 import { words } from "./words.js";
 
 const said = words.material;
-const MODES = /** @type {const} */ (["cells", "corner", "within", "at"]);
-
-/** @typedef {typeof MODES[number]} Mode */
-
-/**
- * What a mix goes to; null where what it needs is not chosen.
- * @param {Mode} mode
- * @param {Pick<Shown, "cells" | "corner" | "at">} shown
- */
-export function mixTarget(mode, { cells, corner, at }) {
-  if (mode === "cells") return cells.length > 0 ? { cells: [...cells] } : null;
-  if (!corner) return null;
-  const { cell, corner: ends } = corner;
-  if (mode === "at") {
-    const place = at ?? placeOfCorner(corner);
-    return { cell: place.cell, at: triple(place.at) };
-  }
-  if (mode === "corner") return { cell, corner: triple(ends) };
-  return cells.length > 0 ? { cell, corner: triple(ends), within: [...cells] } : null;
-}
-
-/** A mean in whole percents, whose sum stays 1. @param {number[]} mix */
-function wholePercents(mix) {
-  const parts = mix.map((fraction) => Math.round(fraction * 100));
-  parts[parts.indexOf(Math.max(...parts))] += 100 - parts.reduce((sum, part) => sum + part, 0);
-  return parts.map((part) => part / 100);
-}
-
-/** @param {readonly number[]} list */
-const triple = (list) => /** @type {[number, number, number]} */ ([...list]);
-
 /**
  * @param {App} app
  * @param {object} of

@@ -39,6 +39,14 @@ export function createRefusal(app, policy) {
   /** @type {CellVerdict[]} */
   let bad = [];
   let asked = "";
+  /** Whether every check of the document as it stands has run, and whether a pointer holds something. */
+  let [hasRested, isHeld] = [false, false];
+  const over = new AbortController();
+  const hold = (/** @type {boolean} */ next) => () => {
+    isHeld = next;
+  };
+  addEventListener("pointerdown", hold(true), { signal: over.signal, capture: true });
+  for (const type of ["pointerup", "pointercancel"]) addEventListener(type, hold(false), { signal: over.signal, capture: true });
 
   const text = h("span", { role: "status" });
   const keep = h("button", { type: "button", class: "push", "data-invalid": "keep" }, said.keep);
@@ -72,7 +80,8 @@ export function createRefusal(app, policy) {
       return;
     }
     write(text, reasonOf(bad));
-    const isOver = !store.running;
+    // A run of keys is over for the person once it rests, though the next press would go on with it.
+    const isOver = !store.running || (hasRested && !isHeld);
     keep.hidden = back.hidden = !isOver;
     if (!isOver) return;
     if (policy() === "keep") {
@@ -103,7 +112,9 @@ export function createRefusal(app, policy) {
         accepted = new Set(invalid.map(({ cell }) => cell));
       }
       bad = newlyInvalid(known.verdicts, accepted);
+      hasRested = known.summary !== null;
       render();
     },
+    close: () => over.abort(),
   };
 }

@@ -21,7 +21,7 @@ const sentences = {
   cells: ({ cells }) => (cells.length === 1 ? "1 cell as given" : `${cells.length} cells as given`),
   move: ({ cell, at, by, reach }) => `Move ${coefficient(at)} of cell ${cell} by ${list(by)}${reach === "single" ? ", alone" : ""}`,
   continuity: ({ cell, face, corner, shape, material }) =>
-    `${corner ? "Corner" : "All"} of face ${face} of cell ${cell}: ${[shape && `shape ${shape}`, material && `material ${material}`].filter(Boolean).join(", ")}`,
+    `${corner ? `Corner ${corner.join("")}` : "All"} of face ${face} of cell ${cell}: ${[shape && `shape ${shape}`, material && `material ${material}`].filter(Boolean).join(", ")}`,
   mix: ({ cells, cell, corner, at, within, mix }) =>
     `Mix ${shares(mix)} in ${cells ? cellsOf(cells) : at ? `${coefficient(at)} of cell ${cell}` : `corner ${corner.join("")} of cell ${cell}${within ? `, within ${cellsOf(within)}` : ""}`}`,
   slope: ({ cell, corner, rule }) => `${rule === "flat" ? "Flat" : "Natural"} slope of material at corner ${corner.join("")} of cell ${cell}`,
