@@ -355,7 +355,7 @@ function openWorkbench(app) {
       theme = ui.value.theme;
       show(false);
     }
-    const text = reason !== null ? "" : view === null ? words.noWebGl : isLost ? words.lost : "";
+    const text = reason !== null ? "" : view === null ? words.noWebGl : isLost ? words.lost : known?.cells.length === 0 ? words.empty : "";
     picture.hidden = text !== "";
     foot.hidden = view === null;
     legend.element.hidden = !known;

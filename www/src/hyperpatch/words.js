@@ -8,6 +8,7 @@ export const words = {
     "Arrow keys go round the body, with Shift they move it. Plus and minus zoom, F fits, 5 to 8 are standard views. Enter reads the place in the middle, Escape ends that. Page Down and Page Up choose a corner, which the arrow keys then move over the ground as it is seen, along x and y, and Home and End up and down; with Shift ten steps, with Alt a tenth.",
   noWebGl: "This browser shows no 3D pictures here: WebGL 2 is missing or switched off. Verdicts, measures, materials and files work all the same.",
   lost: "The graphics card has dropped the picture. It comes back by itself, or when the page is loaded again.",
+  empty: "The body has no cells. Undo brings them back, Build adds those of a file, and the Gallery has bodies to begin with.",
   cancelled: "Cancelled",
   checkAgain: "Check",
   tryAgain: "Try again",

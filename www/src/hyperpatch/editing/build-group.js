@@ -184,7 +184,7 @@ export function buildGroup(app, { now, step, change, append, file, checks }) {
     }
     write(facesNote, faces.length > 0 ? said.facesChosen(faces.length) : cell === null ? said.needsFaces : words.cells.chosen(0));
     const why = missing();
-    write(about, why ?? (kind === "import" || kind === "extrude" ? "" : said.of(kind === "subdivide" ? cells.slice(-1) : cells)));
+    write(about, kind === "import" || kind === "extrude" ? "" : (why ?? said.of(kind === "subdivide" ? cells.slice(-1) : cells)));
     about.hidden = about.textContent === "";
     apply.hidden = kind === "import";
     if (kind !== "import") write(apply, said.apply[kind]);
