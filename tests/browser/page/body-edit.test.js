@@ -32,12 +32,13 @@ async function openGroup(page, name) {
 async function chooseCorner(page, cells) {
   const nth = dx.hyperpatch(presetFile("hyperpatch/block")).sharing().corners.findIndex(({ sides }) => sides.length === cells) + 1;
   await page.locator("[data-body-keys]").focus();
+  await page.keyboard.press("Escape");
   for (let n = 1; n <= nth; n += 1) await page.keyboard.press("PageDown");
   const shared = cells === 1 ? "of one cell" : `shared by ${cells} cells`;
   await eventually(async () => assert.ok((await spoken(page)).startsWith(`Corner ${nth} of 27, ${shared}`)));
 }
 
-test("a body is edited by its corners, mixes and cells, each edit an operation, and undo brings the bytes back", async (t) => {
+test("a body is edited by pointer and keys: corners, mixes, cells and the list of operations; invalid edits are asked about, and undo brings the bytes back", async (t) => {
   const page = await openPage(t, { allow: SOFTWARE, viewport: { width: 920, height: 560 }, hash: "#v=1&preset=hyperpatch-block" });
   await checked(page);
   const first = await documentOf(page);
@@ -98,18 +99,15 @@ test("a body is edited by its corners, mixes and cells, each edit an operation, 
   await page.keyboard.press("Delete");
   await eventually(async () => assert.deepEqual((await added(page)).map((/** @type {any} */ { id }) => id), [2, 3, 4]));
   await checked(page);
-  assert.deepEqual(await audit(page), []);
 
   // Undo, entry by entry, gives the bytes of the preset.
   await eventually(async () => {
     await page.locator("[data-action=undo]").evaluate((button) => /** @type {HTMLElement} */ (button).click());
     assert.equal(JSON.stringify(await documentOf(page)), JSON.stringify(first));
   });
-});
-
-test("an edit that turns a cell inside out is red while it is dragged, then kept or taken back; cells are added with their checks", async (t) => {
-  const page = await openPage(t, { allow: SOFTWARE, viewport: { width: 920, height: 560 }, hash: "#v=1&preset=hyperpatch-block" });
   await checked(page);
+
+  // What turns a cell inside out is red while it is dragged, and taken back afterwards.
   await chooseCorner(page, 1);
   const refusal = page.locator("[data-refusal]");
   const from = await middle(page.locator("[data-gizmo=x]"));
