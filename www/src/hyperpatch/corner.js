@@ -81,7 +81,8 @@ export function createCorner(app, { now, chosen }) {
     const { corner, others } = shown;
     if (!corner) return [];
     const plane = mirror();
-    const targets = [{ side: corner, place: shown.at ?? placeOfCorner(corner) }, ...(shown.at ? [] : others.filter((each) => !isSide(each, corner)).map((side) => ({ side, place: placeOfCorner(side) })))];
+    const also = shown.at ? [] : others.filter((each) => !isSide(each, corner));
+    const targets = [{ side: corner, place: shown.at ?? placeOfCorner(corner) }, ...also.map((side) => ({ side, place: placeOfCorner(side) }))];
     /** @type {Map<string, {place: Place, by: Vector}>} */
     const moves = new Map();
     for (const { side, place } of targets) {

@@ -103,7 +103,16 @@ export function buildGroup(app, { now, step, change, append, file, checks }) {
   const parts = {
     copy: h("div", {}, labels.by, h("div", { class: "body-fields" }, ...ways.map(({ element }) => element)), ...ways.map(({ error }) => error)),
     mirror: h("div", {}, row(said.plane, planes), row(labels.place, place), keep.element),
-    extrude: h("div", {}, picks.element, h("div", { class: "body-faces", role: "group", "aria-label": said.faces }, ...faceButtons), facesNote, row(labels.length, far), row(said.start, starts), startNote),
+    extrude: h(
+      "div",
+      {},
+      picks.element,
+      h("div", { class: "body-faces", role: "group", "aria-label": said.faces }, ...faceButtons),
+      facesNote,
+      row(labels.length, far),
+      row(said.start, starts),
+      startNote,
+    ),
     subdivide: h("div", {}, row(said.axis, axes), row(said.at, where), h("p", { class: "body-note" }, said.sheet)),
     reorient: h("p", { class: "body-note" }, said.reorientNote),
     delete: h("div", {}),

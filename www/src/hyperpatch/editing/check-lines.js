@@ -26,9 +26,11 @@ export function checkLines() {
       if (key === drawn) return;
       drawn = key;
       element.replaceChildren(
-        ...lines.map(({ name, ok, message }) =>
-          h("div", { class: ok ? "check-line" : "check-line failed", "data-check": name, "data-ok": String(ok) }, h("dt", {}, name === "continuity" ? h("span", { class: "check-dot" }) : /** @type {any} */ (sign(ok ? "regular" : "invalid")), said[name]), h("dd", {}, message)),
-        ),
+        ...lines.map(({ name, ok, message }) => {
+          const mark = name === "continuity" ? h("span", { class: "check-dot" }) : sign(ok ? "regular" : "invalid");
+          const attributes = { class: ok ? "check-line" : "check-line failed", "data-check": name, "data-ok": String(ok) };
+          return h("div", attributes, h("dt", {}, /** @type {any} */ (mark), said[name]), h("dd", {}, message));
+        }),
       );
     },
   };

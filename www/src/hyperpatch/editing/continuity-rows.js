@@ -27,7 +27,10 @@ export function continuityRows(append) {
   let known = /** @type {unknown} */ (null);
   const kinds = /** @type {const} */ (["C1", "C0", "none"]).map((value) => ({ value, text: said.kinds[value === "none" ? "none" : value] }));
   const switches = /** @type {const} */ (["shape", "material"]).map((what) => ({ what, control: segment({ label: said[what], name: `joint-${what}`, choices: kinds }, (value) => set(what, value)) }));
-  const reach = segment({ label: said.where, name: "joint-where", choices: /** @type {const} */ (["corner", "face"]).map((value) => ({ value, text: said.wheres[value] })) }, (value) => (where = value));
+  const reach = segment(
+    { label: said.where, name: "joint-where", choices: /** @type {const} */ (["corner", "face"]).map((value) => ({ value, text: said.wheres[value] })) },
+    (value) => (where = value),
+  );
   reach.set(where);
   const choice = h("div", {});
   /** @type {ReturnType<typeof select> | null} */

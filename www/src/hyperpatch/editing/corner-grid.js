@@ -18,11 +18,11 @@ import { words } from "./words.js";
 /** What a node is called. @param {Node} node @param {boolean} isRegular */
 const nameOf = ({ at, isCorner }, isRegular) => (isCorner ? words.grid.corner : isRegular ? words.grid.point(at) : words.grid.inner(at));
 
-/** @param {(place: Place, point: Point) => void} choose */
+/** @param {(place: Place, point: Point, spoken: string) => void} choose */
 export function cornerGrid(choose) {
-  const element = h("div", { class: "corner-grid", role: "group", "aria-label": words.grid.region, "data-corner-grid": "" });
+  const element = h("div", { class: "corner-grid", role: "group", "aria-label": words.grid.region, "aria-describedby": "corner-grid-help", "data-corner-grid": "" });
   const about = h("p", { class: "body-note" });
-  const whole = h("div", {}, element, about);
+  const whole = h("div", {}, h("p", { id: "corner-grid-help", hidden: true }, words.grid.help), element, about);
   /** @type {{node: Node, button: HTMLButtonElement}[]} */
   let buttons = [];
   let drawn = "";
@@ -90,7 +90,7 @@ export function cornerGrid(choose) {
           const each = { node, button };
           button.addEventListener("click", () => {
             const [user] = each.node.point.users;
-            choose(user, each.node.point);
+            choose(user, each.node.point, button.getAttribute("aria-label") ?? "");
           });
           buttons.push(each);
           return button;

@@ -11,7 +11,6 @@
 import { checkBox, segment } from "../../controls/choices.js";
 import { row } from "../../controls/row.js";
 import { h, write } from "../../dom.js";
-import { coordinate } from "../../format.js";
 import { bodyOf } from "../document.js";
 import { isCorner, placeOfCorner } from "../edits.js";
 import { continuityRows } from "./continuity-rows.js";
@@ -30,7 +29,7 @@ const said = words.also;
  * @param {(operation: Operation) => void} of.append
  */
 export function cornerRows(app, { now, around, corner, change, append }) {
-  const grid = cornerGrid((place, point) => {
+  const grid = cornerGrid((place, point, spoken) => {
     const { shown } = now();
     if (!shown.corner) return;
     // The corner is a coefficient of its own.
@@ -38,12 +37,15 @@ export function cornerRows(app, { now, around, corner, change, append }) {
     const isItself = isCorner(place.at) && point.users.some(({ cell, at }) => cell === own.cell && at.every((along, k) => along === own.at[k]));
     const user = point.users.find(({ cell }) => cell === own.cell) ?? place;
     change({ at: isItself ? null : user, others: isItself ? shown.others : [] });
-    app.say(words.grid.spoken(isItself ? words.grid.corner : words.grid.inner(user.at), point.position.map(coordinate).join(", "), ""));
+    app.say(spoken);
   });
   const several = checkBox({ name: "corner-several", text: [said.several] }, (on) => change({ picksCorners: on }));
   const count = h("span", { class: "number body-chosen-count" });
   const only = h("button", { type: "button", class: "command-word", "data-corners": "only", onclick: () => change({ others: [] }) }, said.clear);
-  const mirror = segment({ label: said.mirror, name: "corner-mirror", choices: /** @type {const} */ (["off", "x", "y", "z"]).map((value) => ({ value, text: said.planes[value] })) }, (value) => change({ mirror: value }));
+  const mirror = segment(
+    { label: said.mirror, name: "corner-mirror", choices: /** @type {const} */ (["off", "x", "y", "z"]).map((value) => ({ value, text: said.planes[value] })) },
+    (value) => change({ mirror: value }),
+  );
   const middle = checkBox({ name: "corner-middle", text: [said.middle] }, (on) => change({ isMiddle: on }));
   const opposite = h("p", { class: "body-note" });
   const joints = continuityRows((operation, told) => {

@@ -65,7 +65,8 @@ export function materialRows(app, { now, around, joint, append }) {
     ),
   );
   const drawing = profile();
-  const slope = h("div", {}, h("div", { class: "row" }, h("span", { class: "row-label" }, said.slope), h("span", { class: "row-controls" }, ...rules)), drawing.element, h("p", { class: "body-note" }, said.slopeNote));
+  const rulesRow = row(said.slope, { element: h("span", { class: "body-rules" }, ...rules) });
+  const slope = h("div", {}, rulesRow, drawing.element, h("p", { class: "body-note" }, said.slopeNote));
   const element = h("div", { class: "body-part" }, h("h3", { class: "body-label" }, said.heading), row(said.mode, choice), note, mixing.element, slope);
 
   /** A coefficient whose mix stands for the target. @returns {Place | null} */
