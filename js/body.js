@@ -39,6 +39,7 @@ const QUESTIONS = {
   neighbourhood: (cell, corner) => ({ cell, corner }),
   checks: (operation) => ({ operation }),
   cellsDocument: () => ({}),
+  coefficients: () => ({}),
 };
 
 /**
@@ -60,6 +61,9 @@ export function methods(ask) {
  */
 export const inNames = (question, args) => QUESTIONS[question](...args);
 
+/** What the module knows under another name. @type {Partial<Record<Asked, string>>} */
+const SAME = { volume: "amounts", coefficients: "cellsDocument" };
+
 /**
  * A question under way.
  *
@@ -69,7 +73,7 @@ export const inNames = (question, args) => QUESTIONS[question](...args);
  * @param {object} rest
  */
 export function asking(engine, { head, keys, apart, write, known }, question, rest) {
-  const name = question === "volume" ? "amounts" : question;
+  const name = SAME[question] ?? question;
   const asked = engine.hyperpatch(head, keys, apart, name, toText(rest));
   for (const place of asked.missing()) {
     const { text, cells, count = 0 } = write(place);
@@ -100,6 +104,7 @@ const NAMED = {
   neighbourhood,
   checks,
   cellsDocument,
+  coefficients: ({ positions, mixes }) => ({ positions, mixes }),
   sample: ({ position, mix }) => ({ position, mix }),
   probe: (found) => found && { cell: found.cell, uvw: found.uvw, mix: found.mix },
   verdicts: ({ verdicts }) => rows(verdicts, 17).map(verdict),

@@ -958,6 +958,8 @@ export interface Hyperpatch {
   checks(operation: number): AdditionChecks;
   /** The body as a document with one operation, which writes all cells out; their numbers begin anew. */
   cellsDocument(): HyperpatchDocument;
+  /** The coefficients of all cells, in their order and that of the format: three numbers each, and one number for each material. */
+  coefficients(): { positions: Float64Array; mixes: Float64Array };
   sample(cell: number, uvw: Triple): { position: Triple; mix: number[] };
   /** With `global: false` only the certificates: a cell may then be `locally-valid`. Default true. */
   verdicts(options?: { global?: boolean }): CellVerdict[];

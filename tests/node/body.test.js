@@ -7,8 +7,8 @@ import { root } from "../../scripts/lib/paths.mjs";
 import { drawnBounds, drawnPositions, shiftsOf } from "../../www/src/hyperpatch/apart.js";
 import { edgeSegments, sampleAt } from "../../www/src/hyperpatch/cell.js";
 import { labsFor, relativeJacobian, viridis } from "../../www/src/hyperpatch/colors.js";
-import { cellsOf } from "../../www/src/hyperpatch/document.js";
-import { coefficientsAt, moveCorner } from "../../www/src/hyperpatch/edits.js";
+import { cellsIn, cellsOf } from "../../www/src/hyperpatch/document.js";
+import { moved, placeOfCorner } from "../../www/src/hyperpatch/edits.js";
 import { jointsOf } from "../../www/src/hyperpatch/joints.js";
 import { isBody } from "../../www/src/hyperpatch/kind.js";
 import { neighboursOf } from "../../www/src/hyperpatch/neighbours.js";
@@ -41,36 +41,6 @@ test("the boundary curves of a cell join its corners, each corner at three of th
     const near = ends.filter((end) => Math.hypot(...end.map((value, k) => value - corner[k])) < 1e-9);
     assert.equal(near.length, 3);
   }
-});
-
-test("a corner moves in every cell that has it, so that the body stays joined, and back again", () => {
-  const body = dx.hyperpatch(block);
-  const sharing = body.sharing();
-  const inner = sharing.corners.find(({ sides }) => sides.length === 8);
-  assert.ok(inner);
-  const moved = moveCorner(block, inner.sides, [0.05, -0.02, 0.03], "block");
-  const after = dx.hyperpatch(moved);
-  assert.deepEqual(after.sharing().shared, sharing.shared);
-  const same = sharedCorner(after.sharing(), inner.sides[0]);
-  assert.ok(same);
-  [0.05, -0.02, 0.03].forEach((by, axis) => assert.ok(Math.abs(same.position[axis] - inner.position[axis] - by) < 1e-12));
-  // What lies outside stays, and so does the volume of the whole.
-  assert.ok(Math.abs(after.volume() - body.volume()) < 1e-9);
-  assert.equal(moveCorner(block, inner.sides, [0, 0, 0], "block"), block);
-});
-
-test("with its tangents a corner stays smooth, alone it does not", () => {
-  const inner = dx.hyperpatch(block).sharing().corners.find(({ sides }) => sides.length === 8);
-  assert.ok(inner);
-  const smooth = (/** @type {import("../../www/src/hyperpatch/edits.js").Reach} */ reach) => {
-    const { faces } = dx.hyperpatch(moveCorner(block, inner.sides, [0.1, 0.05, 0], reach)).continuity();
-    return faces.every(({ shape }) => shape === "C1");
-  };
-  assert.equal(smooth("block"), true);
-  assert.equal(smooth("corner"), false);
-  assert.deepEqual(coefficientsAt([0, 0, 0], "corner"), [0]);
-  assert.deepEqual(coefficientsAt([1, 1, 1], "corner"), [63]);
-  assert.equal(coefficientsAt([1, 0, 1], "block").length, 8);
 });
 
 test("corners follow each other round and round", () => {
@@ -135,8 +105,7 @@ test("a corner has seven neighbours in a cell, and 26 where eight cells meet", (
 test("how cells continue each other is drawn from what the kernel says of their corners", () => {
   const of = (/** @type {any} */ document, /** @type {"shape" | "material"} */ aspect) => {
     const body = dx.hyperpatch(document);
-    const cells = cellsOf(document);
-    return { body, joints: jointsOf(body.continuity(), body.sharing(), (id) => cells[id], aspect) };
+    return { body, joints: jointsOf(body.continuity(), body.sharing(), cellsIn(body.cells, body.coefficients()), aspect) };
   };
   const { joints: smooth, body } = of(block, "shape");
   assert.deepEqual(smooth.counts, { C1: 48, C0: 0, none: 0, contacts: 0, gap: 0 });
@@ -144,7 +113,7 @@ test("how cells continue each other is drawn from what the kernel says of their 
   body.sharing().corners.forEach(({ sides }, n) => assert.equal(smooth.signs[n], sides.length > 1 ? 1 : 0));
   // A corner that moves alone: its faces have creases there, and lines lie on the halves of the curves that end in it.
   const inner = body.sharing().corners.find(({ sides }) => sides.length === 8);
-  const { joints } = of(moveCorner(block, inner?.sides ?? [], [0.1, 0.05, 0], "corner"), "shape");
+  const { joints } = of(moved(block, [{ place: placeOfCorner(inner?.sides[0] ?? { cell: 0, corner: [0, 0, 0] }), by: [0.1, 0.05, 0] }], "single"), "shape");
   assert.equal(joints.counts.C0, 12);
   assert.equal(joints.lines.filter(({ isFirst }) => isFirst).length, 6 * 8);
   // Faces that part between their corners.

@@ -46,6 +46,7 @@ export class BodyScene {
   #outline = new Lines([], { color: INK, width: 1.9, order: 12, apart: this.#apart });
   #halo = new Lines([], { color: "#ffffff", width: 5, order: 20, apart: this.#apart });
   #cell = new Lines([], { color: "#4a45c8", width: 2.5, order: 21, apart: this.#apart });
+  #wrong = new Lines([], { color: "#b3261e", width: 2.5, order: 22, apart: this.#apart });
   #dots = new Dots(this.#planes, 15, this.#apart);
   #shadow = new Shadow();
   /** @type {Drawn | null} */
@@ -70,7 +71,7 @@ export class BodyScene {
   }
 
   get #lines() {
-    return [this.#edges, this.#under, this.#joints, this.#outline, this.#halo, this.#cell];
+    return [this.#edges, this.#under, this.#joints, this.#outline, this.#halo, this.#cell, this.#wrong];
   }
 
   /** @param {Drawn} drawn @param {Bounds} bounds */
@@ -168,11 +169,20 @@ export class BodyScene {
     this.#face.geometry.setAttribute("lab", new BufferAttribute(labs, 3));
   }
 
-  /** Marks a cell by its boundary curves. @param {number[]} segments none for no cell @param {number | null} cell */
-  choose(segments, cell) {
-    const by = cell === null || !this.#drawn ? [0, 0, 0] : shiftOf(this.#drawn.shifts, cell);
-    const shifts = Array.from({ length: segments.length / 6 }, () => by).flat();
-    for (const lines of [this.#halo, this.#cell]) lines.set(segments, undefined, shifts);
+  /**
+   * Marks cells and faces by their boundary curves.
+   * @param {{cell: number, segments: number[]}[]} chosen
+   * @param {{cell: number, segments: number[]}[]} wrong those that are invalid
+   */
+  choose(chosen, wrong) {
+    const set = (/** @type {Lines[]} */ all, /** @type {typeof chosen} */ marked) => {
+      const segments = marked.flatMap((each) => each.segments);
+      const shifts = marked.flatMap((each) => Array.from({ length: each.segments.length / 6 }, () => shiftOf(this.#drawn?.shifts ?? new Map(), each.cell)).flat());
+      for (const lines of all) lines.set(segments, undefined, shifts);
+    };
+    set([this.#halo], [...chosen, ...wrong]);
+    set([this.#cell], chosen);
+    set([this.#wrong], wrong);
   }
 
   /**
@@ -205,6 +215,7 @@ export class BodyScene {
     for (const mesh of [this.#surface, this.#face]) mesh.material.uniforms.pixelRatio.value = pixelRatio;
     this.#edges.paint(theme === "dark" && transparency > 0.4 ? PALE : INK);
     this.#cell.paint(theme === "dark" ? "#a8a4ff" : "#4a45c8");
+    this.#wrong.paint(theme === "dark" ? "#ff8d85" : "#b3261e");
     this.#halo.paint(theme === "dark" ? "#0e0f12" : "#ffffff");
     for (const lines of this.#lines) lines.raise(pixelDepth);
     this.#dots.raise(pixelDepth, pixelRatio);

@@ -27,7 +27,8 @@ export function createMarks(app) {
   const badges = svg("g", { "data-body-badges": "" });
   const grid = svg("path", { class: "body-grid" });
   const points = svg("path", { class: "body-grid-points" });
-  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, badges, grid, points, witnesses, corner, ring, cross);
+  const ghosts = svg("path", { class: "body-ghosts", "data-body-ghosts": "" });
+  const marks = svg("svg", { class: "marks read-marks", "aria-hidden": "true" }, badges, grid, points, ghosts, witnesses, corner, ring, cross);
   /** Verdicts that badges have now. */
   let badged = "";
   const card = h("div", { class: "probe", "aria-hidden": "true", hidden: true, "data-body-reading": "" });
@@ -57,6 +58,8 @@ export function createMarks(app) {
       }
       shown.forEach(({ at }, n) => put(/** @type {SVGElement} */ (badges.children[n]), at));
     },
+    /** Coefficients that would move with what is chosen, as small rings. @param {Point[]} places */
+    ghosts: (places) => attribute(ghosts, "d", places.map(([x, y]) => `M${(x - 4).toFixed(1)} ${y.toFixed(1)}a4 4 0 1 0 8 0a4 4 0 1 0 -8 0`).join("")),
     /** @param {Point[]} places of witnesses on the screen */
     witnesses(places) {
       while (witnesses.children.length > places.length) witnesses.lastElementChild?.remove();

@@ -39,16 +39,27 @@ export function sampleAt({ coefficients }, [u, v, w], materials) {
 }
 
 /**
- * The twelve boundary curves of a cell as separate segments.
+ * The four boundary curves of a face, as separate segments.
  * @param {Cell} cell
+ * @param {import("../../../js/directrix.js").FaceName} face
  * @returns {number[]} six numbers a segment
  */
-export function edgeSegments({ coefficients }) {
+export const faceSegments = (cell, face) => edgeSegments(cell, { axis: "uvw".indexOf(face[0]), end: Number(face[1]) });
+
+/**
+ * The twelve boundary curves of a cell as separate segments.
+ * @param {Cell} cell
+ * @param {{axis: number, end: number}} [face] of which alone they are wanted
+ * @returns {number[]} six numbers a segment
+ */
+export function edgeSegments({ coefficients }, face) {
   /** @type {number[]} */
   const segments = [];
   for (const axis of [0, 1, 2]) {
     for (const ends of [0, 1, 2, 3]) {
       const others = [ends >> 1, ends & 1].map((end) => 3 * end);
+      const isOfFace = !face || (axis !== face.axis && others[face.axis - Number(face.axis > axis)] === 3 * face.end);
+      if (!isOfFace) continue;
       const points = [0, 1, 2, 3].map((along) => {
         const index = [...others];
         index.splice(axis, 0, along);

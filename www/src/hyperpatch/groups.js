@@ -17,7 +17,10 @@
  * @property {import("./joints.js").Joints | null} joints how cells continue each other, where it is shown
  * @property {number | null} area of the face of the cut
  *
+ * @typedef {{element: HTMLElement, render: () => void}} Part More rows of a group.
+ *
  * @typedef {object} Acts
+ * @property {(cell: number, isMore: boolean) => void} chooseCell `isMore`: besides those that are chosen
  * @property {(patch: Partial<Shown>) => void} change
  * @property {(view: StandardView) => void} look
  * @property {(axis: 0 | 1 | 2, value: number, run?: string) => void} moveTo
@@ -53,10 +56,19 @@ const NUDGE = 0.01;
  * @param {App} app
  * @param {() => Now} now
  * @param {Acts} acts
+ * @param {{cells: Part, corner: Part & {grid: HTMLElement}, materials: Part}} parts by which the groups are edited
+ * @param {Group[]} more groups, of editing
  * @returns {Group[]}
  */
-export function createBodyGroups(app, now, acts) {
-  return [cellsGroup(app, now, acts), cornerGroup(app, now, acts), sectionGroup(app, now, acts), materialsGroup(app, now), showGroup(app, now, acts)];
+export function createBodyGroups(app, now, acts, parts, more) {
+  return [
+    cellsGroup(app, now, acts, parts.cells),
+    cornerGroup(app, now, acts, parts.corner),
+    materialsGroup(app, now, parts.materials),
+    ...more,
+    sectionGroup(app, now, acts),
+    showGroup(app, now, acts),
+  ];
 }
 
 /** A step of a coordinate: a hundredth of the body, rounded to 1, 2 or 5. @param {Known | null} known */
@@ -71,8 +83,8 @@ export function nudgeOf(known) {
 export const worstFirst = (verdicts) =>
   [...verdicts].sort((a, b) => WORST_FIRST.indexOf(a.verdict) - WORST_FIRST.indexOf(b.verdict) || a.cell - b.cell);
 
-/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
-function cellsGroup(app, now, { change }) {
+/** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part} part @returns {Group} */
+function cellsGroup(app, now, { chooseCell }, part) {
   const counts = h("div", { class: "body-counts" });
   const list = h("div", { class: "body-cells", role: "group", "aria-label": words.cells.list });
   const more = h("p", { class: "body-note" });
@@ -81,7 +93,7 @@ function cellsGroup(app, now, { change }) {
   return {
     name: "cells",
     heading: words.groups.cells,
-    body: h("div", {}, counts, list, more, facts),
+    body: h("div", {}, counts, list, more, part.element, facts),
     phrase: () => words.cells.phrase(now().known?.cells.length ?? 0),
     render() {
       const { known, isCurrent, shown } = now();
@@ -105,7 +117,7 @@ function cellsGroup(app, now, { change }) {
             .map(({ cell, verdict }) =>
               h(
                 "button",
-                { type: "button", class: "body-cell", "data-cell": String(cell), onclick: () => change({ cell: now().shown.cell === cell ? null : cell }) },
+                { type: "button", class: "body-cell", "data-cell": String(cell), onclick: (/** @type {MouseEvent} */ event) => chooseCell(cell, event.shiftKey || event.ctrlKey || event.metaKey) },
                 /** @type {any} */ (sign(verdict)),
                 h("span", { class: "number" }, String(cell)),
               ),
@@ -116,9 +128,11 @@ function cellsGroup(app, now, { change }) {
         more.hidden = verdicts.length <= LISTED;
       }
       const listed = worstFirst(known?.verdicts ?? []);
+      const chosen = new Set(shown.cells);
+      part.render();
       for (const [n, button] of [...list.children].entries()) {
         const { cell, verdict } = listed[n];
-        attribute(button, "aria-pressed", String(cell === shown.cell));
+        attribute(button, "aria-pressed", String(chosen.has(cell)));
         attribute(button, "title", isCurrent ? words.verdicts[verdict] : null);
         attribute(button, "aria-label", isCurrent ? words.spoken.cell(cell, words.verdicts[verdict]) : words.cells.nth(cell));
       }
@@ -145,8 +159,8 @@ function cellFacts(app, known, verdict, volume) {
   ];
 }
 
-/** @param {App} app @param {() => Now} now @param {Acts} acts @returns {Group} */
-function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) {
+/** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part & {grid: HTMLElement}} part @returns {Group} */
+function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }, part) {
   const snapText = h("span", {});
   const fields = /** @type {const} */ ([0, 1, 2]).map((axis) => {
     const name = ["x", "y", "z"][axis];
@@ -159,7 +173,7 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
     return field;
   });
   const reach = segment(
-    { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "corner"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
+    { label: words.corner.reach, name: "corner-reach", choices: /** @type {const} */ (["block", "single"]).map((value) => ({ value, text: words.corner.reaches[value] })) },
     (value) => change({ reach: value }),
   );
   const snap = checkBox({ name: "corner-snap", text: [snapText] }, (on) => app.ui.set({ snap: on }));
@@ -167,11 +181,11 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
   const note = h("p", { class: "body-note" });
   const next = h("button", { type: "button", class: "push", "data-corner-next": "", onclick: nextCorner }, words.corner.next);
   const clear = h("button", { type: "button", class: "push", "data-corner-clear": "", onclick: () => change({ corner: null }) }, words.corner.clear);
-  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), row(words.corner.reach, reach), note, snap.element);
+  const rows = h("div", {}, h("div", { class: "body-fields" }, ...fields.map(({ element }) => element)), ...fields.map(({ error }) => error), part.grid, row(words.corner.reach, reach), note, snap.element);
   return {
     name: "corner",
     heading: words.groups.corner,
-    body: h("div", {}, about, rows, h("div", { class: "body-buttons" }, next, clear)),
+    body: h("div", {}, about, rows, part.element, h("div", { class: "body-buttons" }, next, clear)),
     phrase() {
       const { corner } = now();
       return corner ? corner.position.map((value) => fixed(value, 1)).join(", ") : words.corner.none;
@@ -179,11 +193,12 @@ function cornerGroup(app, now, { change, moveTo, moved, takeBack, nextCorner }) 
     render() {
       const { corner } = now();
       rows.hidden = clear.hidden = !corner;
-      write(about, corner ? words.corner.shared(new Set(corner.sides.map(({ cell }) => cell)).size) : words.corner.hint);
+      write(about, corner ? words.corner.about(new Set(corner.sides.map(({ cell }) => cell)).size, bodyOf(app).unit) : words.corner.hint);
       snap.set(app.ui.value.snap);
       write(snapText, words.corner.snap(`${nudgeOf(now().known)}\u00a0${bodyOf(app).unit}`.trim()));
       reach.set(now().shown.reach);
       write(note, words.corner.reachNote[now().shown.reach]);
+      part.render();
       if (corner) fields.forEach((field, axis) => field.set(Number(corner.position[axis].toPrecision(12))));
     },
   };
@@ -212,18 +227,19 @@ function sectionGroup(app, now, { change }) {
   };
 }
 
-/** @param {App} app @param {() => Now} now @returns {Group} */
-function materialsGroup(app, now) {
+/** @param {App} app @param {() => Now} now @param {Part} part @returns {Group} */
+function materialsGroup(app, now, part) {
   const list = h("div", { class: "body-materials", role: "list", "aria-label": words.materials.amount });
   let drawn = "";
   return {
     name: "materials",
     heading: words.groups.materials,
-    body: h("div", {}, list),
+    body: h("div", {}, list, part.element),
     phrase: () => words.materials.phrase(bodyOf(app).materials.length),
     render() {
       const { known } = now();
       const { materials, unit } = bodyOf(app);
+      part.render();
       const key = JSON.stringify([materials, known?.amounts, unit]);
       if (key === drawn) return;
       drawn = key;

@@ -17,11 +17,13 @@ import { sectionText } from "../space/section-group.js";
 import { createStand, followSize, whereDrawn } from "../space/stand.js";
 import { strings } from "../strings.js";
 import { shiftsOf } from "./apart.js";
-import { edgeSegments, sampleAt } from "./cell.js";
+import { placeOf as coefficientAt, sampleAt } from "./cell.js";
 import { coloringOf, labsFor, rangeOf } from "./colors.js";
 import { createCorner } from "./corner.js";
 import { createCut } from "./cut.js";
-import { bodyOf, cellsOf } from "./document.js";
+import { bodyOf } from "./document.js";
+import { createEditing } from "./editing/editing.js";
+import { placeOfCorner } from "./edits.js";
 import { createBodyGroups, nudgeOf } from "./groups.js";
 import { listenToKeys } from "./keys.js";
 import { jointsOf } from "./joints.js";
@@ -31,7 +33,7 @@ import { neighboursOf } from "./neighbours.js";
 import { offer } from "./picture.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
-import { boundsOf, FIRST_SHOWN, hasInner, sharedCorner } from "./state.js";
+import { boundsOf, FIRST_SHOWN, hasInner, sharedCorner, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
 import { createBodyView } from "./view.js";
 import { words } from "./words.js";
@@ -114,7 +116,7 @@ function openWorkbench(app) {
     chosen(side) {
       if (!memory.open.includes("corner")) memory = { ...memory, open: [...memory.open, "corner"] };
       memory = { ...memory, tab: "corner" };
-      change({ corner: side, cell: null });
+      change({ corner: side, others: [], at: null });
     },
   });
   const plane = planeMoves({
@@ -126,12 +128,12 @@ function openWorkbench(app) {
   const view = whereDrawn(() =>
     createBodyView(app, {
       plane,
-      chooseCorner: corner.choose,
-      chooseCell: (cell) => change({ cell: cell === shown.cell ? null : cell, corner: null }),
+      chooseCorner: (side, isMore) => editing.tapCorner(side, isMore),
+      chooseCell: (place, isMore) => editing.tap(place, isMore),
       gizmo: {
         move: corner.dragTo,
         end() {
-          store.endRun();
+          moved();
           // Keys go on with what was dragged.
           keyboard.focus({ preventScroll: true });
         },
@@ -154,7 +156,8 @@ function openWorkbench(app) {
   const { picture, keyboard, help, zoom } = createStand({ name: "body", words, view });
   const foot = h("div", { class: "morph body-foot" }, /** @type {any} */ (view?.triad) ?? h("span", {}), h("span", {}), zoom);
   const { resize, close: stopFollowing } = followSize(picture, view, () => ({ top: TOP, bottom: foot.offsetHeight }));
-  stage.append(picture, legend.element, help, message, foot);
+  const editing = createEditing(app, { now: () => ({ known, isCurrent: known?.document === bodyOf(app), shown }), change, corner, step: () => nudgeOf(known), render });
+  stage.append(picture, legend.element, help, message, editing.refusal, foot);
   const groupsAt = h("div", { class: "body-groups" });
   aside.append(groupsAt);
   const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: corner.current(), extent: cut.plane()?.extent ?? null, joints: known && jointsNow(known), area });
@@ -163,12 +166,13 @@ function openWorkbench(app) {
     words.region,
     createBodyGroups(app, now, {
       change,
+      chooseCell: editing.chooseCell,
       look: (direction) => view?.look(direction),
       moveTo: corner.moveTo,
-      moved: () => store.endRun(),
+      moved,
       takeBack: (run) => void store.cancel(run),
       nextCorner: () => corner.chooseNext(1),
-    }),
+    }, editing.parts, editing.groups),
     {
       read: () => memory,
       write: (patch) => {
@@ -183,6 +187,8 @@ function openWorkbench(app) {
       const isNew = next.surface !== known?.surface;
       known = next;
       reason = null;
+      shown = withoutGone(shown, next);
+      editing.know(next);
       if (isNew) show(true);
       isDirty = true;
       if (next.summary) tell();
@@ -200,9 +206,16 @@ function openWorkbench(app) {
     },
   });
 
+  /** A run of moves is over. */
+  function moved() {
+    store.endRun();
+    render();
+  }
+
   /** @param {Partial<Shown>} patch */
   function change(patch) {
-    shown = { ...shown, ...patch };
+    const cells = patch.cell !== undefined && !patch.cells ? { cells: patch.cell === null ? [] : [patch.cell] } : {};
+    shown = { ...shown, ...(patch.corner === null ? { others: [], at: null } : {}), ...cells, ...patch };
     isDirty = true;
     keepLater();
     render();
@@ -230,29 +243,34 @@ function openWorkbench(app) {
     const { continuity } = shown;
     const of = [body.continuity, body.surface, continuity];
     if (of.some((each, n) => each !== joined.of[n])) {
-      const cells = cellsOf(body.document);
-      joined = { of, joints: continuity === "off" || !body.continuity ? null : jointsOf(body.continuity, body.sharing, (id) => cells[id], continuity) };
+      joined = { of, joints: continuity === "off" || !body.continuity ? null : jointsOf(body.continuity, body.sharing, body.cellOf, continuity) };
     }
     return joined.joints;
   }
 
   /** What stands in the picture besides the body. The picture shows the body that is known, and the marks stand on it. @param {Known} body */
-  function pictureOf({ document, sharing, verdicts, summary, ...rest }) {
-    const cells = cellsOf(document);
+  function pictureOf(body) {
+    const { document, sharing, verdicts, summary, cellOf } = body;
     const chosen = sharedCorner(sharing, shown.corner);
-    const side = chosen && shown.corner;
+    const place = chosen && shown.corner && (shown.at ?? placeOfCorner(shown.corner));
+    const coefficient = place && cellOf(place.cell)?.coefficients[coefficientAt(place.at[0], place.at[1], place.at[2])];
     // A witness says it at its own place.
     const irregular = verdicts.filter(({ verdict, witness }) => verdict !== "regular" && !witness).slice(0, MOST_BADGES);
     return {
-      joints: jointsNow({ document, sharing, verdicts, summary, ...rest }),
+      ...editing.picture(body),
+      cellOf,
+      joints: jointsNow(body),
       empty: document.materials.flatMap((material, i) => (material.void ? [i] : [])),
-      corner: chosen && side ? { cell: side.cell, position: chosen.position } : null,
-      neighbours: chosen && neighboursOf(chosen.sides, (id) => cells[id], shown.apart > 0),
+      corner: place && coefficient ? { cell: place.cell, position: coefficient.position } : null,
+      neighbours: chosen && neighboursOf(chosen.sides, cellOf, shown.apart > 0),
       witnesses: [
         ...verdicts.flatMap(({ cell, witness }) => (witness ? [{ cell, point: witness.point }] : [])),
         ...(summary?.pairs.flatMap(({ cells: [cell], point }) => (point ? [{ cell, point }] : [])) ?? []),
       ],
-      badges: irregular.flatMap(({ cell, verdict }) => (cells[cell] ? [{ cell, verdict, point: sampleAt(cells[cell], MIDDLE, 0).position }] : [])),
+      badges: irregular.flatMap(({ cell, verdict }) => {
+        const shape = cellOf(cell);
+        return shape ? [{ cell, verdict, point: sampleAt(shape, MIDDLE, 0).position }] : [];
+      }),
     };
   }
 
@@ -262,14 +280,13 @@ function openWorkbench(app) {
     const { name } = store.origin;
     const isOther = isNew && framed !== name;
     const seen = isOther ? leftOf(app, name) : null;
-    if (isOther) shown = { ...FIRST_SHOWN, color: shown.color, ...seen?.display };
+    if (isOther) shown = { ...FIRST_SHOWN, color: shown.color, invalid: shown.invalid, ...seen?.display };
     framed = isNew ? name : framed;
     const bounds = boundsOf(known.surface.positions);
-    const cell = cellsOf(known.document)[shown.cell ?? -1];
     const { theme } = ui.value;
     if (view) {
       if (isNew) shifts = shiftsOf(known.cells, bounds);
-      view.set({ ...pictureOf(known), surface: known.surface, sharing: known.sharing, shifts, shown, theme, chosenCell: cell ? edgeSegments(cell) : [] }, isNew, bounds);
+      view.set({ ...pictureOf(known), surface: known.surface, sharing: known.sharing, shifts, shown, theme }, isNew, bounds);
       const coloured = coloring();
       const key = JSON.stringify(coloured.color === "jacobian" ? [...coloured.values] : coloured);
       if (isNew || key !== painted) {
@@ -316,7 +333,7 @@ function openWorkbench(app) {
     const now = corner.current();
     if (held === (now?.position ?? null)) return;
     held = now?.position ?? null;
-    view?.hold(now && { cell: shown.corner?.cell ?? now.sides[0].cell, position: now.position });
+    view?.hold(now && { cell: now.place.cell, position: now.position });
   }
 
   function render() {
@@ -332,12 +349,13 @@ function openWorkbench(app) {
         runner.push(document);
       }
     }
+    editing.render();
     if (isDirty || theme !== ui.value.theme) {
       isDirty = false;
       theme = ui.value.theme;
       show(false);
     }
-    const text = reason !== null ? "" : view === null ? words.noWebGl : isLost ? words.lost : "";
+    const text = reason !== null ? "" : view === null ? words.noWebGl : isLost ? words.lost : known?.cells.length === 0 ? words.empty : "";
     picture.hidden = text !== "";
     foot.hidden = view === null;
     legend.element.hidden = !known;
@@ -345,7 +363,7 @@ function openWorkbench(app) {
     write(/** @type {Node} */ (message.firstChild), text);
     hold();
     resize();
-    legend.render(shown, rangeOf(known), known && jointsNow(known));
+    legend.render(shown, rangeOf(known), known && jointsNow(known), known?.amounts ?? []);
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summary()));
       const found = cut.plane();
@@ -369,6 +387,7 @@ function openWorkbench(app) {
       if (timer) keepNow();
       runner.close();
       cut.close();
+      editing.close();
       offer(null);
       view?.close();
       stage.remove();

@@ -9,7 +9,7 @@ import { triangle } from "../controls/triangle.js";
 import { h, svg } from "../dom.js";
 import { fixed, percent, significantText } from "../format.js";
 import { corners, list, scale, strip } from "../stage/legend.js";
-import { bodyOf, cellsOf } from "./document.js";
+import { bodyOf } from "./document.js";
 import { words } from "./words.js";
 
 const SIDE = 76;
@@ -29,28 +29,17 @@ export function createBodyLegend(app) {
   const colors = triangle(SIDE);
   const element = h("div", { class: "legend", "data-body-legend": "" });
   let drawn = "";
-  /** Materials of the cells that were looked through last. */
-  let used = /** @type {{operations: unknown, indices: number[]}} */ ({ operations: null, indices: [] });
-
-  /** Materials that a coefficient holds. */
-  function usedMaterials() {
-    const document = bodyOf(app);
-    if (used.operations === document.operations) return used.indices;
-    const found = new Set(cellsOf(document).flatMap(({ coefficients }) => coefficients.flatMap(({ mix }) => (mix ?? [1]).flatMap((fraction, i) => (fraction > 0 ? [i] : [])))));
-    used = { operations: document.operations, indices: document.materials.map((_, i) => i).filter((i) => found.has(i)) };
-    return used.indices;
-  }
-
   return {
     element,
     /**
      * @param {Readonly<Shown>} shown
      * @param {[number, number] | null} range of the Jacobian
      * @param {Joints | null} joints what is shown of how cells continue each other
+     * @param {readonly number[]} amounts of each material
      */
-    render({ color, material, continuity }, range, joints) {
+    render({ color, material, continuity }, range, joints, amounts) {
       const { materials } = bodyOf(app);
-      const indices = usedMaterials();
+      const indices = amounts.flatMap((amount, i) => (amount !== 0 && i < bodyOf(app).materials.length ? [i] : []));
       const key = JSON.stringify([color, material, materials, indices, range, joints?.counts, continuity]);
       if (key === drawn) return;
       drawn = key;

@@ -5,12 +5,14 @@
  * @import { BodyContinuity, BodySharing, BodySummary, BodySurface, CellSummary, CellVerdict, RemoteHyperpatch } from "../../../js/directrix.js"
  * @import { App } from "../state/app.js"
  * @import { Problem } from "../types.js"
- * @import { BodyDocument } from "./document.js"
+ * @import { BodyDocument, Cell } from "./document.js"
  *
  * @typedef {object} Known
  * @property {BodyDocument} document
  * @property {RemoteHyperpatch} body
  * @property {CellSummary[]} cells
+ * @property {import("../../../js/directrix.js").OperationResult[]} operations what came of each operation
+ * @property {(id: number) => Cell | undefined} cellOf the coefficients of a cell
  * @property {CellVerdict[]} verdicts of all cells, in their order; certificates alone until `summary` is there
  * @property {BodySurface} surface with the faces between cells where they are wanted
  * @property {boolean} hasInner whether it has those
@@ -23,6 +25,7 @@
  */
 import { problem } from "../painter.js";
 import { Lane } from "../state/lane.js";
+import { cellsIn } from "./document.js";
 
 /** Milliseconds of rest before the checks of the whole body begin. */
 const REST = 250;
@@ -51,6 +54,7 @@ export function createRunner(app, wants, { changed, refused, interrupted }) {
       const control = { signal, onprogress };
       const body = await kernel.hyperpatch(document, control);
       const verdicts = await body.verdicts({ global: false }, control);
+      const cellOf = cellsIn(body.cells, await body.coefficients(control));
       const ms = performance.now() - started;
       const wanted = wants();
       const surface = await body.surface({ faces: wanted.inner ? "all" : "outer" }, control);
@@ -59,7 +63,7 @@ export function createRunner(app, wants, { changed, refused, interrupted }) {
       const amounts = await body.amounts(control);
       const volume = body.cells.reduce((sum, cell) => sum + Math.abs(cell.volume), 0);
       /** @type {Known} */
-      const known = { document, body, cells: body.cells, verdicts, surface, hasInner: wanted.inner, continuity, sharing, volume, amounts, summary: null, ms };
+      const known = { document, body, cells: body.cells, operations: body.operations, cellOf, verdicts, surface, hasInner: wanted.inner, continuity, sharing, volume, amounts, summary: null, ms };
       return known;
     },
     done(known, document) {

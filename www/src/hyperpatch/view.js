@@ -22,7 +22,10 @@
  * @property {Joints | null} joints
  * @property {Shown} shown
  * @property {"light" | "dark"} theme
- * @property {number[]} chosenCell segments of the boundary curves of the chosen cell
+ * @property {(id: number) => import("./document.js").Cell | undefined} cellOf
+ * @property {{cell: number, segments: number[]}[]} chosen boundary curves of what is chosen
+ * @property {{cell: number, segments: number[]}[]} wrong those of cells that the edit at hand makes invalid
+ * @property {{cell: number, point: Vector}[]} ghosts coefficients that would move with what is chosen
  * @property {{cell: number, position: Vector} | null} corner the chosen one
  * @property {import("./neighbours.js").Neighbours | null} neighbours of the chosen corner
  * @property {{cell: number, point: Vector}[]} witnesses
@@ -38,7 +41,7 @@ import { drawnBounds, drawnPositions, shiftOf } from "./apart.js";
 import { BodyScene, cornersOf as drawnCorners } from "./body.js";
 import { createMarks, spokenReading } from "./card.js";
 import { sampleAt } from "./cell.js";
-import { bodyOf, cellsOf } from "./document.js";
+import { bodyOf } from "./document.js";
 import { words } from "./words.js";
 
 /** Ground of the page by theme. */
@@ -53,8 +56,8 @@ const BEHIND = 5e-3;
  * @param {App} app
  * @param {object} options
  * @param {PlaneMoves} options.plane what moving the plane of the section does
- * @param {(corner: Side) => void} options.chooseCorner
- * @param {(cell: number | null) => void} options.chooseCell
+ * @param {(corner: Side, isMore: boolean) => void} options.chooseCorner
+ * @param {(place: BodyReading | null, isMore: boolean) => void} options.chooseCell
  * @param {import("../space/gizmo.js").GizmoMoves} options.gizmo what dragging the chosen corner does
  * @param {() => number | null} options.step that a dragged corner rests on; null for none
  * @param {() => void} options.rested the camera has been moved, and rests for now
@@ -74,10 +77,10 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
     speak: () => app.say(spokenReading(app, viewer.readAt && readingAt(viewer.readAt))),
     hull: () => (picture ? cornersOf(box()) : []),
     box: () => box(),
-    tap(at) {
-      const corner = cornerAt(at, coarse.matches ? TOUCH : NEAR);
-      if (corner !== null) chooseCorner(corner);
-      else chooseCell(readingAt(at)?.cell ?? null);
+    tap(at, isMore) {
+      const corner = picture?.shown.picksFaces ? null : cornerAt(at, coarse.matches ? TOUCH : NEAR);
+      if (corner !== null) chooseCorner(corner, isMore);
+      else chooseCell(readingAt(at), isMore);
     },
     turned,
     rested,
@@ -130,6 +133,7 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
     );
     gizmo.set(held && drawnAt(held.cell, held.position));
     gizmo.place(space.camera, space.frame);
+    over.ghosts(picture.ghosts.map(({ cell, point }) => seen(cell, point)));
     over.witnesses(witnesses.map(({ cell, point }) => seen(cell, point)));
     over.badges(badges.map(({ cell, point, verdict }) => ({ at: seen(cell, point), verdict })));
     return theme;
@@ -159,10 +163,9 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
     const corners = [0, 1, 2].map((k) => mesh.indices[3 * hit.triangle + k]);
     const cell = mesh.cells[corners[0]];
     const uvw = /** @type {Vector} */ ([0, 1, 2].map((k) => corners.reduce((sum, corner, n) => sum + hit.weights[n] * mesh.parameters[3 * corner + k], 0)));
-    const document = bodyOf(app);
-    const whole = cellsOf(document)[cell];
+    const whole = picture?.cellOf(cell);
     if (!whole) return null;
-    const { position, mix } = sampleAt(whole, uvw, document.materials.length);
+    const { position, mix } = sampleAt(whole, uvw, bodyOf(app).materials.length);
     return { cell, uvw, point: position, mix };
   }
 
@@ -253,7 +256,7 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
         viewer.bound();
         viewer.refit();
       }
-      scene.choose(next.chosenCell, next.shown.cell);
+      scene.choose(next.chosen, next.wrong);
       viewer.request();
     },
     /** @param {Float32Array} labs of the surface */

@@ -9,7 +9,7 @@
  * @property {(x: number, y: number) => void} pan CSS pixels
  * @property {(at: Point, factor: number) => void} zoom
  * @property {(at: Point | null) => void} hover a pointer that hovers; null when it leaves or begins to drag
- * @property {(at: Point) => void} tap
+ * @property {(at: Point, isMore: boolean) => void} tap `isMore`: with Shift or Ctrl, which means besides what is chosen
  * @property {() => void} rest a drag has ended
  */
 
@@ -82,7 +82,7 @@ export function listenToGestures(element, gestures) {
   const up = (event) => {
     const at = held.get(event.pointerId);
     if (!held.delete(event.pointerId) || !at || held.size > 0) return;
-    if (!moved && event.type === "pointerup") gestures.tap(at);
+    if (!moved && event.type === "pointerup") gestures.tap(at, event.shiftKey || event.ctrlKey || event.metaKey);
     else gestures.rest();
   };
   for (const type of /** @type {const} */ (["pointerup", "pointercancel"])) element.addEventListener(type, up, { signal });

@@ -21,7 +21,7 @@
  * @property {() => void} speak says what is read in the middle
  * @property {() => Vector[]} hull the points that have to be seen
  * @property {() => Bounds | null} box of the body
- * @property {(at: Point) => void} [tap] besides reading the place; without it a second tap ends the reading
+ * @property {(at: Point, isMore: boolean) => void} [tap] besides reading the place; without it a second tap ends the reading
  * @property {() => void} [turned] the camera stands elsewhere
  * @property {() => void} [rested] the camera has been moved, and rests for now
  * @property {PlaneMoves} plane what moving the plane of the section does
@@ -128,11 +128,11 @@ export function createViewer(app, words, { draw, read, speak, hull, box, tap, tu
       pointed = at;
       readSoon();
     },
-    tap(at) {
+    tap(at, isMore) {
       const isAgain = !tap && pointed !== null && Math.hypot(pointed[0] - at[0], pointed[1] - at[1]) < 1;
       pointed = isAgain ? null : at;
       isCross = false;
-      tap?.(at);
+      tap?.(at, isMore);
       readSoon();
     },
     rest() {
