@@ -1,13 +1,19 @@
 //! Hyperpatches: cells on grids, certificates, relations, sections and surfaces, with the sizes of the budgets.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use directrix::hyperpatch::composite::{Body, Pairs, Probe, Sharing};
+use directrix::document::{
+    Action, Answer, BodyAsk, BodyJob, BodyMemory, DocumentKey, HyperpatchModel, MaterialSpec, Operation,
+};
+use directrix::hyperpatch::composite::{Body, CellId, Pairs, Probe, Sharing};
+use directrix::hyperpatch::operation::Reach;
 use directrix::hyperpatch::validity::{Verdict, certify, verdict};
 use directrix::hyperpatch::{Cell, Corner, Grid, Jacobian, Net, Plane, Tessellation, flat, section};
 use directrix::material::Composition;
 use glam::{DMat2, DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::hint::black_box;
+use std::rc::Rc;
+use std::sync::Arc;
 
 /// A unit cube at a place, whose control points are moved by at most `jitter` along each axis, by the seed alone.
 fn jittered(min: DVec3, seed: u64, jitter: f64) -> Net {
@@ -121,5 +127,40 @@ fn bodies(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, grids, certificates, bodies);
+/// A frame of the drag of a corner among 384 cells: the edit, its certificates, and the vertices that are new.
+fn drags(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("hyperpatch/drag");
+    let material =
+        |n: usize| MaterialSpec { name: format!("m{n}"), color: "#808080".to_owned(), void: false };
+    let base = HyperpatchModel::document_of(
+        "Tower".to_owned(),
+        "mm".to_owned(),
+        (0..4).map(material).collect(),
+        &tower(48),
+    );
+    let mut memory = BodyMemory::default();
+    let (mut frame, mut since) = (0_u32, 0);
+    group.bench_function("384", |bencher| {
+        bencher.iter(|| {
+            frame += 1;
+            let by = [f64::from(frame % 200) * 1e-4, 0.0, 0.0];
+            let action = Action::Move { cell: CellId(57), at: [3, 0, 0], by, reach: Reach::Block };
+            let mut document = base.clone();
+            document.operations.push((1, Arc::new(Operation { id: None, action, materials: 4 })));
+            let model = HyperpatchModel::after(document, memory.models()).expect("sound colours");
+            let key = DocumentKey { head: String::new(), operations: vec![0, frame] };
+            let known = memory.keep(key, model);
+            let certified = BodyJob::new(Rc::clone(&known), BodyAsk::Verdicts { is_global: false }).run();
+            let ask = BodyAsk::Surface { tolerance: None, since: Some(since) };
+            let surface = BodyJob::new(known, ask).run();
+            if let Some(Answer::Surface(surface, _)) = &surface {
+                since = surface.id;
+            }
+            (certified.is_some(), surface.is_some())
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, grids, certificates, bodies, drags);
 criterion_main!(benches);

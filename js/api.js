@@ -1,5 +1,8 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
+import { merged } from "./merge.js";
+import { packed, valueOf } from "./operations.js";
+import { received } from "./post.js";
 import { describe } from "./sentence.js";
 import { flatPoints, shapesOf } from "./shapes.js";
 import { spanOf } from "./span.js";
@@ -100,16 +103,26 @@ export function createApi(engine) {
     return { step, run, end: () => (name === "solid" ? { solid: result() } : { file: result() }) };
   };
   /**
-   * @param {string} text
-   * @param {import("./body.js").Question | "cells"} question
+   * @param {import("./operations.js").Packed} document
+   * @param {import("./body.js").Asked} question
    * @param {object} rest
    */
-  const body = (text, question, rest) => {
-    const work = ask(() => asking(whole(engine, "hyperpatch"), text, question, rest));
+  const body = (document, question, rest) => {
+    const work = ask(() => asking(whole(engine, "hyperpatch"), document, question, rest));
     return {
       step: (/** @type {number} */ budget) => ask(() => work.step(budget)),
       end: () => ({ answer: ask(() => work.answer()) }),
     };
+  };
+  /** @type {import("./directrix.js").Directrix["hyperpatch"]} */
+  const bodyOf = (document) => {
+    const parts = packed(document);
+    const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
+      const work = body(parts, question, rest);
+      work.step(Infinity);
+      return work.end().answer;
+    };
+    return { ...answer("body", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
   };
   /**
    * A transform under way. Without a limit the field is left out, which JSON has no infinity for.
@@ -180,14 +193,14 @@ export function createApi(engine) {
     amounts: (document) => ask(() => whole(engine, "amounts").amounts(toText(document))),
     solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
     solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
-    hyperpatch(document) {
-      const text = ask(() => toText(document));
-      const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {
-        const work = body(text, question, rest);
-        work.step(Infinity);
-        return work.end().answer;
-      };
-      return { cells: answer("cells", {}), ...methods((question, args) => answer(question, inNames(question, args))) };
+    hyperpatch: bodyOf,
+    merge(document, other) {
+      const own = /** @type {import("./directrix.js").HyperpatchDocument} */ (valueOf(document));
+      const { materials = [] } = bodyOf({ ...own, operations: [] }).cellsDocument();
+      bodyOf(own);
+      const made = merged(own, materials, bodyOf(other).cellsDocument());
+      bodyOf(made);
+      return made;
     },
     distanceTransform(input) {
       const work = transforming(input);
@@ -196,7 +209,7 @@ export function createApi(engine) {
     },
     job(document, { paint, solid, solidFile, hyperpatch, distanceTransform, coarse = paint?.coarse ?? false, greedy = false } = {}) {
       const free = distanceTransform && transforming(distanceTransform);
-      const asked = free ?? (hyperpatch && body(ask(() => toText(document)), hyperpatch.question, hyperpatch.rest ?? {}));
+      const asked = free ?? (hyperpatch && body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {}));
       if (asked) {
         /** @type {import("./directrix.js").Progress | undefined} */
         let last;

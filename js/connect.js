@@ -24,10 +24,10 @@ export async function connect(options = {}) {
   const functions = FUNCTIONS.map((name) => [name, (/** @type {any[]} */ ...args) => client.call(name, args)]);
   return {
     .../** @type {any} */ (Object.fromEntries(functions)),
-    hyperpatch: async (/** @type {any} */ document, /** @type {any} */ control) => {
-      const { body } = await import("./remote-body.js");
-      return body((args) => client.call("hyperpatch", args), document, control);
-    },
+    hyperpatch: async (/** @type {any} */ document, /** @type {any} */ control) =>
+      (await import("./remote-body.js")).body(client, document, control),
+    merge: async (/** @type {any} */ document, /** @type {any} */ other, /** @type {any} */ control) =>
+      (await import("./remote-body.js")).merge(client, document, other, control),
     close: () => client.close(),
     runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {

@@ -105,8 +105,51 @@ export interface HyperpatchDocument {
   title?: string;
   unit?: string;
   materials?: Material[];
-  /** What makes the body, in order: such as `{ op: "cells", cells }`. */
-  operations: { op: string; [field: string]: unknown }[];
+  /** What makes the body, in order. An operation that is the same object as before is taken as the same operation. */
+  operations: HyperpatchOperation[];
+}
+
+/** A coefficient of a cell that is written out; without a mix it is all of the first material. */
+export interface CellCoefficient {
+  position: Triple;
+  mix?: number[];
+}
+
+/** How cells are to continue each other at a corner of a face: not at all, with a common block, with common slopes as well. */
+export type MarkName = "none" | "C0" | "C1";
+
+/** An operation on a body; docs/format.md says what each does. `id` is by default one more than the largest before it. */
+export type HyperpatchOperation = { id?: number } & (
+  | { op: "cells"; cells: { coefficients: CellCoefficient[] }[] }
+  | { op: "move"; cell: number; at: Triple; by: Triple; reach?: Reach }
+  | { op: "continuity"; cell: number; face: FaceName; corner?: Triple; shape?: MarkName; material?: MarkName }
+  | { op: "mix"; mix: number[]; cells: number[] }
+  | { op: "mix"; mix: number[]; cell: number; corner: Triple; within?: number[] }
+  | { op: "mix"; mix: number[]; cell: number; at: Triple }
+  | { op: "slope"; cell: number; corner: Triple; rule: "flat" | "natural" }
+  | { op: "delete"; cells: number[] }
+  | { op: "copy"; cells: number[]; by: Triple }
+  | { op: "mirror"; cells: number[]; normal: Triple; offset?: number; keep?: boolean }
+  | { op: "reorient"; cells: number[] }
+  | { op: "extrude"; faces: { cell: number; face: FaceName }[]; by: number; start?: "C1" | "free"; normals?: "mean" | "surface"; mix?: number[] }
+  | { op: "subdivide"; cell: number; axis: "u" | "v" | "w"; at?: number }
+);
+
+/** What a move takes along: what has to follow, or equal copies in other cells alone. */
+export type Reach = "block" | "single";
+
+/** What came of an operation. */
+export interface OperationResult {
+  id: number;
+  op: HyperpatchOperation["op"];
+  /** False where it does not apply to the body as it is then; the body goes on as if it were not there. */
+  applied: boolean;
+  /** Why it does not apply. */
+  reason: string | null;
+  /** Cells that it changed, made and took away. */
+  touched: number[];
+  made: number[];
+  removed: number[];
 }
 
 export type DocumentInput = CurvesDocument | SpaceDocument | string;
@@ -603,7 +646,7 @@ export interface JobOptions extends MatchOptions {
   solid?: SolidOptions;
   solidFile?: SolidFileOptions;
   /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
-  hyperpatch?: { question: keyof Hyperpatch; rest?: object };
+  hyperpatch?: { question: Exclude<keyof Hyperpatch, "operations">; rest?: object };
   greedy?: boolean;
   /** A distance transform; the document is left aside. */
   distanceTransform?: TransformInput;
@@ -726,6 +769,13 @@ export interface BodySection extends BodyTriangles {
 
 /** The boundary of a body: the faces that one cell alone has. Triangles run counter-clockwise from outside. */
 export interface BodySurface extends BodyTriangles {
+  /** The number of the surface, to be given as `since` when the next one is asked for. */
+  id: number;
+  /**
+   * null: all of it is here. Else the number of the surface to which this is what differs: all lists hold only what is new, one after the other, and
+   * `vertexStart`, `start` and `index` say where it belongs in those of that surface, whose other places stay as they are. `renewSurface` puts it there.
+   */
+  since: number | null;
   /** Three numbers a vertex: unit normals, outwards. */
   normals: Float32Array;
   patches: (BodyPatch & { face: FaceName })[];
@@ -737,9 +787,16 @@ export interface BodySurface extends BodyTriangles {
    * Each boundary curve once: a cell and its edge, along `axis` and at the start (0) or the end (1) of both other axes; how many cells have it; its
    * points in `edgePositions`.
    */
-  edges: { cell: number; axis: "u" | "v" | "w"; ends: number[]; cells: number; start: number; count: number }[];
+  edges: { index: number; cell: number; axis: "u" | "v" | "w"; ends: number[]; cells: number; start: number; count: number }[];
   /** Each corner once: a cell and its corner, 0 or 1 along u, v and w; how many cells have it. */
-  corners: { cell: number; corner: number[]; cells: number; position: Triple }[];
+  corners: { index: number; cell: number; corner: number[]; cells: number; position: Triple }[];
+}
+
+/** Places of a surface with new values: where each stretch starts and how long it is, in vertices, in `indices`, and in points of curves. */
+export interface SurfaceRanges {
+  vertices: [number, number][];
+  indices: [number, number][];
+  edges: [number, number][];
 }
 
 /** How cells continue each other, in shape and in material apart. */
@@ -785,9 +842,58 @@ export interface CellGrid {
   fractions: Float32Array[];
 }
 
+/** The cells and coefficients round a corner. */
+export interface CornerNeighbourhood {
+  /** Every cell at the point, each with the corner that lies there. */
+  cells: { cell: number; corner: number[] }[];
+  /** Whether the cells lie in a grid of two by two by two, which may have gaps; else the corner is a crease. */
+  regular: boolean;
+  /** The coefficients of the blocks there, equal ones once, the corner among them: up to 27 where eight cells meet. */
+  points: {
+    /** Along the axes of the cell that was asked about, -1, 0 or 1 each, towards the end of the axis positive; null where there is no grid. */
+    offset: Triple | null;
+    position: Triple;
+    mix: number[];
+    /** Whether some cells have another mix there. */
+    jumps: boolean;
+    /** The cells that have it, each with its place. */
+    users: { cell: number; at: Triple }[];
+  }[];
+  /** The faces between cells at the corner: what holds there, or what is marked. */
+  joints: {
+    sides: { cell: number; face: FaceName; corner: number[] }[];
+    shape: MarkName;
+    material: MarkName;
+    shapeMarked: boolean;
+    materialMarked: boolean;
+  }[];
+}
+
+/** What is to be known of cells that an operation made, each with a message in words. */
+export interface AdditionChecks {
+  /** Those that are still there. */
+  cells: number[];
+  /** Whether each is proven to meet itself nowhere and is the right way round; `verdicts` has those that are not. */
+  injective: { ok: boolean; verdicts: CellVerdict[]; message: string };
+  /** Whether they are proven to meet others only in corners, edges and faces; `pairs` has those that are not. */
+  meetings: { ok: boolean; pairs: CellRelation[]; message: string };
+  /** At how many corners of the faces that they share the shape, and the material, run on. */
+  continuity: { faces: number; corners: number; shape: number; material: number; message: string };
+}
+
 /** A body of hyperpatches. All methods throw `DirectrixError`. */
 export interface Hyperpatch {
   readonly cells: CellSummary[];
+  /** What came of each operation, in their order. */
+  readonly operations: OperationResult[];
+  /** What would move with a coefficient, itself among them, each with its share of the displacement. */
+  moves(cell: number, at: Triple, reach?: Reach): { cell: number; at: Triple; share: number }[];
+  /** The cells and coefficients round a corner: what a person who edits it sees. */
+  neighbourhood(cell: number, corner: Triple): CornerNeighbourhood;
+  /** The three checks of the cells that an operation made, in the body as it is. */
+  checks(operation: number): AdditionChecks;
+  /** The body as a document with one operation, which writes all cells out; their numbers begin anew. */
+  cellsDocument(): HyperpatchDocument;
   sample(cell: number, uvw: Triple): { position: Triple; mix: number[] };
   /** With `global: false` only the certificates: a cell may then be `locally-valid`. Default true. */
   verdicts(options?: { global?: boolean }): CellVerdict[];
@@ -797,8 +903,11 @@ export interface Hyperpatch {
   amounts(): number[];
   /** `steps` along each axis of a cell, 1 to 64, default 8. */
   section(plane: { normal: Triple; offset?: number; point?: Triple }, options?: { steps?: number }): BodySection;
-  /** Default of the chord tolerance: a thousandth of the diagonal of the body. With `faces: "all"` the faces between cells follow, once for each cell. */
-  surface(options?: { tolerance?: number; faces?: "outer" | "all" }): BodySurface;
+  /**
+   * Default of the chord tolerance: a thousandth of the diagonal of the body. With `faces: "all"` the faces between cells follow, once for each cell;
+   * then the surface is a whole one, whatever `since` says.
+   */
+  surface(options?: { tolerance?: number; since?: number; faces?: "outer" | "all" }): BodySurface;
   /** null outside; on what several cells share the one with the lowest number answers. */
   probe(point: Triple): { cell: number; uvw: Triple; mix: number[] } | null;
   relations(): CellRelation[];
@@ -811,8 +920,8 @@ export interface Hyperpatch {
 }
 
 /** A body whose questions a worker answers. */
-export type RemoteHyperpatch = { readonly cells: CellSummary[] } & {
-  [K in Exclude<keyof Hyperpatch, "cells">]: Asynchronous<Hyperpatch[K]>;
+export type RemoteHyperpatch = Pick<Hyperpatch, "cells" | "operations"> & {
+  [K in Exclude<keyof Hyperpatch, "cells" | "operations">]: Asynchronous<Hyperpatch[K]>;
 };
 
 /** Triangles of one part of a solid. */
@@ -906,6 +1015,8 @@ export interface Directrix {
   solidFile(document: DocumentInput, options: SolidFileOptions): Uint8Array;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   hyperpatch(document: HyperpatchDocument | string): Hyperpatch;
+  /** A document with the cells of another one after its own operations. Materials of the same name and colour are one, others are appended. */
+  merge(document: HyperpatchDocument | string, other: HyperpatchDocument | string): HyperpatchDocument;
   /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
   distanceTransform(input: TransformInput): Float32Array;
   /**
@@ -969,6 +1080,12 @@ export function describeCurves(document: CurvesDocument): string;
  * What is known of a body in one sentence: `8 cells, all regular, none overlapping, materials sum to 1`. It counts what fails and says what holds once.
  */
 export function describeBody(summary: BodySummary): string;
+
+/**
+ * Puts what `surface({ since: surface.id })` brought into the arrays of that surface, and says which places have new values. null, and nothing is changed,
+ * when it is no change of that surface: then it is a whole one and takes its place.
+ */
+export function renewSurface(surface: BodySurface, change: BodySurface): SurfaceRanges | null;
 
 /** What a link says: the document it leads to, and how that is shown. Of `document`, `preset` and `url` at most one is there. */
 export interface Link {

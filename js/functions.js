@@ -21,5 +21,6 @@ export const FUNCTIONS = /** @type {const} */ ([
   "solid",
   "solidFile",
   "hyperpatch",
+  "merge",
   "distanceTransform",
 ]);

@@ -3,6 +3,7 @@ import { loader } from "./loader.js";
 import { moduleNamed } from "./modules.js";
 
 export { DirectrixError } from "./errors.js";
+export { renewSurface } from "./renew.js";
 export { describe, describeBody, describeCurves } from "./sentence.js";
 
 /** Loads a module from disk once and returns its functions. See docs/api.md. */

@@ -26,7 +26,7 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
   const [first, ...rest] = args;
   if (UNSOLVED.has(name)) return { value: /** @type {any} */ (dx)[name](...args), spent: 0 };
   const isOfDocument = name !== "distanceTransform";
-  const text = isOfDocument ? toText(first) : "";
+  const text = !isOfDocument ? "" : name === "hyperpatch" ? first : toText(first);
   const job = dx.job(text, isOfDocument ? goal(name, rest[0]) : { distanceTransform: first });
   let spent = 0;
   const step = () => {

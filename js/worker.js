@@ -1,5 +1,7 @@
 import { DirectrixError, fromModule } from "./errors.js";
 import { load } from "./index.js";
+import { countFrom } from "./operations.js";
+import { receive } from "./post.js";
 import { inTurns } from "./turns.js";
 
 /** @typedef {{ id: number, name: import("./connect.js").Name, args: any[] }} Call */
@@ -11,6 +13,9 @@ const calls = [];
 let current;
 /** @type {import("./directrix.js").Directrix | undefined} */
 let dx;
+
+// Documents that come as text get keys of their own, apart from those of documents that come in parts.
+countFrom(2 ** 31);
 
 /** @param {MessageEvent} event */
 scope.onmessage = async ({ data }) => {
@@ -29,6 +34,7 @@ scope.onmessage = async ({ data }) => {
     if (current === data.id) current = undefined;
     return;
   }
+  receive(data.args[0]);
   calls.push(data);
   work();
 };

@@ -47,8 +47,8 @@ mod work;
 pub use amounts::{BandAmounts, amounts};
 #[cfg(feature = "hyperpatch")]
 pub use body::{
-    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, Held, KnownBody, Painted, Parts,
-    Sample, SharedParts, Stretch, Summary,
+    Answer, BodyAsk, BodyFormat, BodyJob, BodyMemory, Boundary, CellRow, Checks, DocumentKey, Held,
+    KnownBody, KnownSurface, Painted, Parts, Renewal, Sample, SharedParts, Stretch, Summary,
 };
 pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
@@ -56,7 +56,8 @@ pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
 #[cfg(feature = "hyperpatch")]
 pub use hyperpatch::{
-    CellSpec, CoefficientSpec, HyperpatchDocument, HyperpatchKind, HyperpatchModel, OperationSpec,
+    Action, CellSpec, FaceSpec, HyperpatchDocument, HyperpatchHead, HyperpatchKind, HyperpatchModel,
+    MixTarget, Operation, OperationReading, OperationRow, Replay, Stage, check_cells, check_operations,
     read_hyperpatch,
 };
 #[cfg(feature = "edit")]

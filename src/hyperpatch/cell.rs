@@ -7,6 +7,7 @@ use crate::material::Composition;
 use glam::DVec3;
 use std::error::Error;
 use std::fmt;
+use std::sync::Arc;
 
 /// Largest absolute value of a coordinate: volumes are of the size of its cube, and products of those are far from
 /// overflow.
@@ -24,11 +25,13 @@ pub const MOST_MATERIALS: usize = 16;
 ///   them).
 ///
 /// Whether the shape is sound, no guarantee is given: see [`validity`](super::validity).
+///
+/// Copies share their coefficients, so that a body costs little to copy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
-    net: Net,
+    net: Arc<Net>,
     /// The 64 fractions of each material.
-    fractions: Vec<[f64; 64]>,
+    fractions: Arc<Vec<[f64; 64]>>,
 }
 
 /// Why coefficients do not make a cell. Indices count from zero.
@@ -114,7 +117,7 @@ impl Cell {
         }
         let fractions =
             (0..count).map(|material| std::array::from_fn(|n| mixes[n].fractions()[material])).collect();
-        Ok(Self { net, fractions })
+        Ok(Self::of(net, fractions))
     }
 
     /// A cell of one composition throughout.
@@ -138,6 +141,24 @@ impl Cell {
         let corner = |n: usize| (n / 32) * 4 + (n / 8 % 2) * 2 + n / 2 % 2;
         let all: Vec<Composition> = (0..64).map(|n| mixes[corner(n)].clone()).collect();
         Self::new(net, &all)
+    }
+
+    /// The cell of checked coefficients.
+    fn of(net: Net, fractions: Vec<[f64; 64]>) -> Self {
+        Self { net: Arc::new(net), fractions: Arc::new(fractions) }
+    }
+
+    /// Whether two cells have the same shape, number for number.
+    #[must_use]
+    pub fn has_shape_of(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.net, &other.net) || self.net == other.net
+    }
+
+    /// Whether two cells are the same in shape and in material, number for number.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.has_shape_of(other)
+            && (Arc::ptr_eq(&self.fractions, &other.fractions) || self.fractions == other.fractions)
     }
 
     /// The shape.
@@ -186,7 +207,25 @@ impl Cell {
     /// When a coordinate is not finite or too large.
     pub fn with_net(&self, net: Net) -> Result<Self, CellError> {
         check_positions(&net)?;
-        Ok(Self { net, fractions: self.fractions.clone() })
+        Ok(Self { net: Arc::new(net), fractions: Arc::clone(&self.fractions) })
+    }
+
+    /// The control points to be changed in place; whoever does so [checks](Cell::check) them afterwards.
+    pub(super) fn net_mut(&mut self) -> &mut Net {
+        Arc::make_mut(&mut self.net)
+    }
+
+    /// The fractions to be changed in place; whoever does so keeps the compositions in the simplex.
+    pub(super) fn fractions_mut(&mut self) -> &mut [[f64; 64]] {
+        Arc::make_mut(&mut self.fractions).as_mut_slice()
+    }
+
+    /// Whether positions that were changed in place are finite and not too large.
+    ///
+    /// # Errors
+    /// The first that is not.
+    pub(super) fn check(&self) -> Result<(), CellError> {
+        check_positions(&self.net)
     }
 
     /// The two cells on either side of `t` along an axis. Together they are the cell: neither shape nor material
@@ -200,12 +239,12 @@ impl Cell {
         }
         let [first, second] = self.net.split(axis, t);
         let (mut before, mut after) = (Vec::new(), Vec::new());
-        for list in &self.fractions {
+        for list in self.fractions.iter() {
             let [a, b] = split_net(list, axis, t);
             before.push(a);
             after.push(b);
         }
-        Ok([Self { net: first, fractions: before }, Self { net: second, fractions: after }])
+        Ok([Self::of(first, before), Self::of(second, after)])
     }
 
     /// The same body run through in the opposite direction of an axis; it turns a mirrored cell into a sound one.
@@ -215,7 +254,7 @@ impl Cell {
         let source = |at: usize| at + (3 - at / step % 4) * step - at / step % 4 * step;
         let fractions =
             self.fractions.iter().map(|list| std::array::from_fn(|at| list[source(at)])).collect();
-        Self { net: self.net.reversed(axis), fractions }
+        Self::of(self.net.reversed(axis), fractions)
     }
 }
 

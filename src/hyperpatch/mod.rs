@@ -16,6 +16,7 @@ mod grid;
 mod inversion;
 mod jacobian;
 mod net;
+pub mod operation;
 mod parts;
 mod section;
 mod tessellation;

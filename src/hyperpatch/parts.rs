@@ -2,6 +2,7 @@
 
 use super::bernstein::{flat, lines, stride};
 use glam::DVec3;
+use std::fmt;
 
 /// A parameter of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -57,7 +58,35 @@ pub struct Face {
     pub is_end: bool,
 }
 
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(["u", "v", "w"][*self as usize])
+    }
+}
+
+impl fmt::Display for Corner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [a, b, c] = self.0.map(u8::from);
+        write!(f, "[{a}, {b}, {c}]")
+    }
+}
+
+impl fmt::Display for Face {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.axis, u8::from(self.is_end))
+    }
+}
+
 impl Corner {
+    /// The corner whose block has a coefficient, by its place in a list of 64, and the place in the
+    /// [block](Corner::block).
+    #[must_use]
+    pub fn of(at: usize) -> (Self, usize) {
+        let index = [at / 16, at / 4 % 4, at % 4];
+        let bit = |axis: usize| if index[axis] == 1 || index[axis] == 2 { 4 >> axis } else { 0 };
+        (Self(index.map(|n| n >= 2)), bit(0) | bit(1) | bit(2))
+    }
+
     /// Every corner; w runs fastest.
     #[must_use]
     pub fn all() -> [Self; 8] {
@@ -138,6 +167,12 @@ impl Face {
         std::array::from_fn(|_| starts.next().map_or(0, |at| at + end))
     }
 
+    /// Place of the coefficient one step inside from one on the face.
+    #[must_use]
+    pub fn inside(self, at: usize) -> usize {
+        if self.is_end { at - stride(self.axis) } else { at + stride(self.axis) }
+    }
+
     /// Parameters of the point at (`s`, `t`) on the face, along its two axes in order.
     #[must_use]
     pub fn parameters(self, s: f64, t: f64) -> DVec3 {
@@ -182,12 +217,17 @@ mod tests {
         assert_eq!(blocks, (0..64).collect::<Vec<_>>(), "every coefficient belongs to one corner");
         for corner in Corner::all() {
             assert_eq!(corner.block()[0], corner.coefficient());
+            for (n, at) in corner.block().into_iter().enumerate() {
+                assert_eq!(Corner::of(at), (corner, n));
+            }
             for face in corner.faces() {
                 assert!(face.coefficients().contains(&corner.coefficient()));
             }
         }
         assert_eq!(Edge { axis: Axis::V, ends: [true, false] }.coefficients(), [48, 52, 56, 60]);
-        assert_eq!(Face { axis: Axis::W, is_end: true }.coefficients()[..5], [3, 7, 11, 15, 19]);
+        let face = Face { axis: Axis::W, is_end: true };
+        assert_eq!(face.coefficients()[..5], [3, 7, 11, 15, 19]);
+        assert_eq!([face.to_string(), Corner([true, false, true]).to_string()], ["w1", "[1, 0, 1]"]);
     }
 
     #[test]

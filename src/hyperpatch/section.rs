@@ -252,6 +252,11 @@ impl Lattice {
                 triangles: start[1]..section.triangles.len(),
                 outlines: start[2]..section.outlines.len(),
             });
+        } else {
+            // The plane only touches the cell: its points belong to no triangle.
+            section.positions.truncate(start[0]);
+            section.parameters.truncate(start[0]);
+            section.outlines.truncate(start[2]);
         }
     }
 
@@ -452,6 +457,25 @@ mod tests {
         let body = body([cube(0.0), cube(1.0)]);
         for offset in [1.0, 1.0 + 1e-15, 1.0 - 1e-15] {
             assert!((cut(&body, DVec3::X, offset, 4).area() - 1.0).abs() < 1e-12, "offset {offset}");
+        }
+    }
+
+    /// A cell that the plane only touches leaves no points, so that every point belongs to the cut of a cell.
+    #[test]
+    fn every_point_belongs_to_a_cell() {
+        let cube = |n: usize| {
+            let min = DVec3::new((n / 4) as f64, (n / 2 % 2) as f64, (n % 2) as f64);
+            Net::cuboid(min, min + 1.0)
+        };
+        let body = body((0..8).map(cube));
+        for (normal, offset) in [(DVec3::ONE, 3.0), (DVec3::ONE, 2.0), (DVec3::new(1.0, 1.0, 0.0), 2.0)] {
+            let found = cut(&body, normal, offset, 8);
+            let mut next = 0;
+            for cut in &found.cells {
+                assert_eq!(cut.positions.start, next);
+                next = cut.positions.end;
+            }
+            assert_eq!((next, next), (found.positions.len(), found.parameters.len()), "{normal} {offset}");
         }
     }
 

@@ -33,7 +33,7 @@ pub struct Surface {
 }
 
 /// The part of a surface that belongs to one face.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
     /// The cell.
     pub cell: CellId,
@@ -43,6 +43,10 @@ pub struct Patch {
     pub positions: Range<usize>,
     /// Its triangles.
     pub triangles: Range<usize>,
+    /// Segments along its four edges, in the order of [`Face::edges`].
+    pub segments: [usize; 4],
+    /// No point of the face is farther than this from its triangles.
+    pub deviation: f64,
 }
 
 /// A tolerance that is no positive number.
@@ -75,14 +79,12 @@ pub struct Tessellation<B, S> {
     tolerance: f64,
     measured: usize,
     meshed: usize,
-    /// Segments along both axes of each face.
-    counts: Vec<[usize; 2]>,
+    /// Segments along both axes of each face, and the deviation with them.
+    counts: Vec<([usize; 2], f64)>,
     /// Segments of each edge.
     edges: HashMap<EdgeKey, usize>,
     /// Points of each edge in the direction of its key, once one of its faces has been triangulated.
     points: HashMap<EdgeKey, Vec<DVec3>>,
-    /// Points of corners, by the number of their control point.
-    corners: HashMap<u32, DVec3>,
     surface: Surface,
 }
 
@@ -113,9 +115,42 @@ impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
             meshed: 0,
             edges: HashMap::new(),
             points: HashMap::new(),
-            corners: HashMap::new(),
             surface: Surface::default(),
         })
+    }
+
+    /// The job for some faces of a surface that was triangulated before, with as many segments along their edges as there were then: so
+    /// that new vertices can take the places of the old ones, and edges fit those of faces that have not changed. `segments` has those
+    /// of all faces of the surface, of which `chosen` are triangulated.
+    ///
+    /// Returns `None` when an edge would have two numbers of segments, because cells share others than they did.
+    pub fn held(
+        body: B,
+        sharing: S,
+        segments: &[(CellId, Face, [usize; 4])],
+        chosen: Vec<usize>,
+    ) -> Option<Self> {
+        let mut edges = HashMap::new();
+        for (id, face, counts) in segments {
+            let numbers = sharing.points(*id)?;
+            for (edge, count) in face.edges().into_iter().zip(counts) {
+                if *edges.entry(key(numbers, edge).0).or_insert(*count) != *count {
+                    return None;
+                }
+            }
+        }
+        let (mut faces, mut counts) = (Vec::new(), Vec::new());
+        for (id, face, [a, b, c, d]) in chosen.into_iter().map(|n| segments[n]) {
+            let count = [a.min(b), c.min(d)];
+            faces.push((id, face));
+            counts.push((count, deviation(bends(&body.cell(id)?.net().face(face)), count)));
+        }
+        let deviation = counts.iter().map(|(_, deviation)| *deviation).fold(0.0, f64::max);
+        let measured = faces.len();
+        let surface = Surface { deviation, ..Surface::default() };
+        let mut job = Self::new(body, sharing, Vec::new(), 1.0).ok()?;
+        job.faces = faces;
+        Some(Self { counts, edges, measured, surface, ..job })
     }
 
     /// Advances while `may_go_on` says so, by one face at least. Returns the surface when it is whole.
@@ -170,22 +205,23 @@ impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
             };
             counts[axis] *= 2;
         }
-        self.surface.deviation = self.surface.deviation.max(deviation(bends, counts));
+        let deviation = deviation(bends, counts);
+        self.surface.deviation = self.surface.deviation.max(deviation);
         for (n, edge) in face.edges().into_iter().enumerate() {
             let count = self.edges.entry(key(numbers, edge).0).or_insert(1);
             *count = (*count).max(counts[n / 2]);
         }
-        self.counts.push(counts);
+        self.counts.push((counts, deviation));
     }
 
     /// Adds the triangles of a face: those of a grid that is as fine as its finest edges. On a coarser edge, points
     /// of the grid move to the nearest point of the edge, along it, and triangles that lose their area are left out.
     fn mesh(&mut self, id: CellId, net: &Net, numbers: &[u32; 64], face: Face) {
-        let own = self.counts[self.meshed];
+        let (own, deviation) = self.counts[self.meshed];
         let edges = face.edges();
         let sides = edges.map(|edge| self.edges.get(&key(numbers, edge).0).copied().unwrap_or(1));
         let [m, n] = [own[0].max(sides[0]).max(sides[1]), own[1].max(sides[2]).max(sides[3])];
-        let lines = edges.map(|edge| self.line(net, numbers, edge));
+        let lines = edges.map(|edge| self.line(id, numbers, edge));
 
         let starts = (self.surface.positions.len(), self.surface.triangles.len());
         let is_outward = face.is_outward() == (net.jacobian(DVec3::splat(0.5)) >= 0.0);
@@ -235,20 +271,31 @@ impl<B: Deref<Target = Body>, S: Deref<Target = Sharing>> Tessellation<B, S> {
             face,
             positions: starts.0..self.surface.positions.len(),
             triangles: starts.1..self.surface.triangles.len(),
+            segments: sides,
+            deviation,
         });
     }
 
-    /// Points along an edge of a cell from its start, the same for every cell on it.
-    fn line(&mut self, net: &Net, numbers: &[u32; 64], edge: Edge) -> Vec<DVec3> {
+    /// Points along an edge of a cell from its start, the same for every cell on it: they are those of the first cell that has it, with
+    /// corners of the first cells that have these, so that they depend on nothing else.
+    fn line(&mut self, id: CellId, numbers: &[u32; 64], edge: Edge) -> Vec<DVec3> {
         let (key, is_backwards) = key(numbers, edge);
         let count = self.edges.get(&key).copied().unwrap_or(1);
-        let corners = &mut self.corners;
+        let (body, sharing) = (&self.body, &self.sharing);
         let line = self.points.entry(key).or_insert_with(|| {
+            let (first, at) = sharing.at_edge(id, edge).first().copied().unwrap_or((id, edge));
+            let (Some(cell), Some(numbers)) = (body.cell(first), sharing.points(first)) else {
+                return vec![DVec3::ZERO; count + 1];
+            };
+            let (_, is_backwards) = self::key(numbers, at);
             let place = |n: usize| if is_backwards { (count - n) as f64 } else { n as f64 };
             let mut line: Vec<DVec3> =
-                (0..=count).map(|n| net.point(edge.parameters(place(n) / count as f64))).collect();
-            for (at, number) in [(0, key[0]), (count, key[3])] {
-                line[at] = *corners.entry(number).or_insert(line[at]);
+                (0..=count).map(|n| cell.point(at.parameters(place(n) / count as f64))).collect();
+            for (end, number) in [(0, key[0]), (count, key[3])] {
+                let corner = sharing.at_corner(number).first();
+                let corner = corner
+                    .and_then(|(id, corner)| body.cell(*id).map(|cell| cell.net().0[corner.coefficient()]));
+                line[end] = corner.unwrap_or(line[end]);
             }
             line
         });

@@ -6,11 +6,15 @@ use super::clock;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
+use super::reading::Reading;
+use super::results::to_value;
 use crate::document::{
-    self, Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, DocumentError, HyperpatchModel, KnownBody,
-    Painted, Parts, Sample, SharedParts, Stretch, Summary,
+    Answer, BodyAsk, BodyJob, BodyMemory, Boundary, CellRow, Checks, DocumentError, DocumentKey,
+    HyperpatchModel, KnownBody, Painted, Parts, Renewal, Replay, Sample, SharedParts, Stage, Stretch,
+    Summary,
 };
 use crate::hyperpatch::composite::{CellId, Contact, FaceContinuity, Matching, Relation};
+use crate::hyperpatch::operation::{JointState, Neighbour, Neighbourhood};
 use crate::hyperpatch::validity::{Report, Witness};
 use crate::hyperpatch::{Axis, Corner, Edge, Face};
 use glam::DVec3;
@@ -22,67 +26,134 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 /// An answer under way.
 #[wasm_bindgen]
 pub struct Asking {
-    /// The text of a document that is still to be read, with the name of the question and what belongs to it.
-    unread: Option<[String; 3]>,
-    job: Option<BodyJob>,
+    key: DocumentKey,
+    /// The name of the question and what belongs to it.
+    question: [String; 2],
+    state: State,
     known: Option<Rc<KnownBody>>,
     answer: Option<Answer>,
 }
 
+enum State {
+    /// The operations of a document are read.
+    Reading(Reading),
+    /// They are carried out.
+    Replaying(Box<Replay>),
+    /// The body is there.
+    Known,
+    Answering(Box<BodyJob>),
+    Done,
+}
+
 #[wasm_bindgen]
 impl Engine {
-    /// A question about a hyperpatch document by its name, to be answered in steps; what belongs to it comes as JSON.
-    pub fn hyperpatch(&mut self, text: &str, name: &str, rest: &str) -> Asking {
-        let unread = Some([text, name, rest].map(str::to_owned));
-        Asking { unread, job: None, known: None, answer: None }
+    /// A question about a hyperpatch document by its name, to be answered in steps; what belongs to it comes as JSON. The document comes as
+    /// the text of all but its operations with a key for each of these, the same for the same operation alone; or, with `is_apart` false, as one
+    /// text with all of it. Operations that are [`Asking::missing`] have to be supplied.
+    pub fn hyperpatch(&mut self, head: &str, keys: &[u32], is_apart: bool, name: &str, rest: &str) -> Asking {
+        let key = DocumentKey { head: head.to_owned(), operations: keys.to_vec() };
+        let known = self.bodies.find(&key);
+        let state = match known {
+            Some(_) => State::Known,
+            None => State::Reading(Reading::new(&self.bodies, &key, is_apart)),
+        };
+        Asking { key, question: [name, rest].map(str::to_owned), state, known, answer: None }
     }
 
-    /// Goes on with an answer for about `budget` milliseconds; returns the share done, 1 when it is there. Reading a document takes a turn
-    /// of its own.
+    /// Goes on with an answer for about `budget` milliseconds; returns the share done, 1 when it is there.
     #[wasm_bindgen(js_name = answer)]
     pub fn advance_answer(&mut self, asking: &mut Asking, budget: f64) -> Result<f64, JsValue> {
         let clock = clock();
         let start = clock.now();
         let mut may_go_on = || clock.now() - start < budget;
-        if let Some([text, name, rest]) = asking.unread.take() {
-            let known = body(&mut self.bodies, &text).map_err(|error| to_js(&error))?;
-            let ask = parse(&rest)
-                .and_then(|rest| BodyAsk::read(&name, &rest, known.model()))
-                .map_err(|e| to_js(&e))?;
-            asking.job = Some(BodyJob::new(Rc::clone(&known), ask));
-            asking.known = Some(known);
-            if !may_go_on() {
-                return Ok(0.0);
+        loop {
+            let share = asking.advance(&mut self.bodies, &mut may_go_on).map_err(|error| to_js(&error))?;
+            if share == 1.0 || !may_go_on() {
+                return Ok(share);
             }
         }
-        let Some(job) = &mut asking.job else { return Ok(1.0) };
-        asking.answer = job.step(&mut may_go_on);
-        if asking.answer.is_none() {
-            return Ok(job.progress());
-        }
-        asking.job = None;
-        Ok(1.0)
     }
 }
 
-/// The body of a document, read unless it is known.
-fn body(memory: &mut BodyMemory, text: &str) -> Result<Rc<KnownBody>, DocumentError> {
-    if let Some(known) = memory.find(text) {
-        return Ok(known);
+impl Asking {
+    /// Goes on with the present part of the work; returns the share done.
+    fn advance(
+        &mut self,
+        memory: &mut BodyMemory,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<f64, DocumentError> {
+        match std::mem::replace(&mut self.state, State::Done) {
+            State::Reading(mut reading) => {
+                let Some(document) = reading.step(may_go_on)? else {
+                    let share = reading.progress() / 4.0;
+                    self.state = State::Reading(reading);
+                    return Ok(share);
+                };
+                self.state = State::Replaying(Box::new(Replay::new(document, memory.models())?));
+                Ok(0.25)
+            }
+            State::Replaying(mut replay) => {
+                if replay.step(may_go_on) {
+                    self.known = Some(memory.keep(self.key.clone(), replay.finish()));
+                    self.state = State::Known;
+                    return Ok(0.5);
+                }
+                let share = 0.25 + replay.progress() / 4.0;
+                self.state = State::Replaying(replay);
+                Ok(share)
+            }
+            State::Known => {
+                let Some(known) = &self.known else { return Ok(1.0) };
+                let [name, rest] = &self.question;
+                let ask = BodyAsk::read(name, &parse(rest)?, known.model())?;
+                self.state = State::Answering(Box::new(BodyJob::new(Rc::clone(known), ask)));
+                Ok(0.5)
+            }
+            State::Answering(mut job) => {
+                self.answer = job.step(may_go_on);
+                if self.answer.is_some() {
+                    return Ok(1.0);
+                }
+                let share = job.progress();
+                self.state = State::Answering(job);
+                Ok(share)
+            }
+            State::Done => Ok(1.0),
+        }
     }
-    document::check_length(text)?;
-    let model = HyperpatchModel::new(document::read_hyperpatch(&parse(text)?)?)?;
-    Ok(memory.keep(text, model))
 }
 
 #[wasm_bindgen]
 impl Asking {
+    /// Places in the list of the operations that are not known and have to be supplied.
+    pub fn missing(&self) -> Vec<u32> {
+        if let State::Reading(reading) = &self.state { reading.missing() } else { Vec::new() }
+    }
+
+    /// Supplies an operation that is missing as JSON. The cells of one that has some come apart, and their number beside them: where it passes the
+    /// limit they may be left out.
+    pub fn supply(&mut self, place: usize, text: &str, cells: Option<Array>, count: usize) {
+        if let State::Reading(reading) = &mut self.state {
+            reading.supply(place, text, cells, count);
+        }
+    }
+
     /// The answer, which is there when [`Engine::advance_answer`] has returned 1.
     pub fn result(self) -> Result<JsValue, JsValue> {
         let (Some(answer), Some(known)) = (&self.answer, &self.known) else { return Ok(JsValue::UNDEFINED) };
         let bag = Bag::new();
         match answer {
-            Answer::Cells(rows) => cells(&bag, rows)?,
+            Answer::Cells(rows) => {
+                cells(&bag, rows)?;
+                operations(&bag, known.model().stages())?;
+            }
+            Answer::Moves(list) => {
+                let rows = list.iter().flat_map(|(id, at, share)| [f64::from(id.0), *at as f64, *share]);
+                bag.doubles("moves", &rows.collect::<Vec<_>>())?;
+            }
+            Answer::CellsDocument => written(&bag, known.model())?,
+            Answer::Neighbourhood(found) => around(&bag, found)?,
+            Answer::Checks(checks) => checked(&bag, known, checks)?,
             Answer::Sample(sample) => return found(sample),
             Answer::Probe(sample) => return sample.as_ref().map_or(Ok(JsValue::NULL), found),
             Answer::Verdicts(reports) => verdicts(&bag, known, reports)?,
@@ -92,15 +163,19 @@ impl Asking {
                 bag.doubles("amounts", amounts)?;
             }
             Answer::Section(painted, area) => {
-                drawn(&bag, painted)?;
+                drawn(&bag, painted, known.model().materials().len(), None)?;
                 bag.set("outline", Uint32Array::from(painted.outlines.as_flattened()).into())?;
                 bag.number("area", *area)?;
             }
-            Answer::Surface(painted, boundary) => {
-                drawn(&bag, painted)?;
-                bag.floats("normals", &numbers(&painted.normals))?;
-                bag.number("deviation", painted.deviation)?;
-                edges(&bag, boundary)?;
+            Answer::Surface(surface, renewal) => {
+                let stretches = renewal.as_ref().map(|renewal| &renewal.stretches[..]);
+                drawn(&bag, &surface.painted, known.model().materials().len(), stretches)?;
+                bag.number("deviation", surface.painted.deviation)?;
+                bag.number("id", f64::from(surface.id))?;
+                if let Some(renewal) = renewal {
+                    bag.number("since", f64::from(renewal.since))?;
+                }
+                edges(&bag, &surface.boundary, renewal.as_ref())?;
             }
             Answer::Relations(relations) => bag.doubles("relations", &related(relations))?,
             Answer::Continuity(faces, contacts) => {
@@ -154,6 +229,73 @@ fn cells(bag: &Bag, rows: &[CellRow]) -> Result<(), JsValue> {
     bag.doubles("corners", &corners)?;
     bag.doubles("margins", &rows.iter().map(|row| row.margin).collect::<Vec<_>>())?;
     bag.doubles("volumes", &rows.iter().map(|row| row.volume).collect::<Vec<_>>())
+}
+
+/// Of each operation: its number, its place in the list of names, whether it applies, and how many cells it touched, made and removed; these
+/// cells one after the other; and why those that do not apply do not.
+fn operations(bag: &Bag, stages: &[Rc<Stage>]) -> Result<(), JsValue> {
+    let (mut rows, mut ids, reasons) = (Vec::with_capacity(6 * stages.len()), Vec::new(), Array::new());
+    for row in stages.iter().map(|stage| stage.row()) {
+        let lists = [&row.touched, &row.made, &row.removed];
+        rows.extend([row.id, row.op as u32, u32::from(row.reason.is_none())]);
+        rows.extend(lists.map(|list| list.len() as u32));
+        ids.extend(lists.into_iter().flatten().map(|id| id.0));
+        if let Some(reason) = &row.reason {
+            reasons.push(&reason.into());
+        }
+    }
+    bag.counts("operations", &rows)?;
+    bag.counts("operationCells", &ids)?;
+    bag.set("reasons", reasons.into())
+}
+
+/// The cells with their corners; whether they lie in a grid; of each point whether its offset is known, that, whether materials jump there and how many
+/// coefficients it is, with the cells and places of these one after the other; and the joints.
+fn around(bag: &Bag, found: &Neighbourhood) -> Result<(), JsValue> {
+    let cells = found.cells.iter().flat_map(|(id, corner)| [id.0, corner_number(*corner)]);
+    bag.counts("cells", &cells.collect::<Vec<_>>())?;
+    bag.set("regular", found.is_regular.into())?;
+    let point = |point: &Neighbour| {
+        let [a, b, c] = point.offset.unwrap_or_default().map(f64::from);
+        let [x, y, z] = point.position.to_array();
+        let flags = [point.offset.is_some(), point.jumps].map(|flag| f64::from(u8::from(flag)));
+        [flags[0], a, b, c, x, y, z, flags[1], point.users.len() as f64]
+    };
+    bag.doubles("points", &found.points.iter().flat_map(point).collect::<Vec<_>>())?;
+    let mixes = found.points.iter().flat_map(|point| point.mix.fractions());
+    bag.doubles("mixes", &mixes.copied().collect::<Vec<_>>())?;
+    let users = found.points.iter().flat_map(|point| &point.users);
+    bag.counts("users", &users.flat_map(|(id, at)| [id.0, *at as u32]).collect::<Vec<_>>())?;
+    let joint = |joint: &JointState| {
+        let [a, b] =
+            joint.sides.map(|side| [side.cell.0, face_number(side.face()), corner_number(side.corner)]);
+        let marks = [joint.is_shape_marked, joint.is_material_marked].map(u32::from);
+        [a[0], a[1], a[2], b[0], b[1], b[2], joint.shape as u32, joint.material as u32, marks[0], marks[1]]
+    };
+    bag.counts("joints", &found.joints.iter().flat_map(joint).collect::<Vec<_>>())
+}
+
+fn checked(bag: &Bag, known: &KnownBody, checks: &Checks) -> Result<(), JsValue> {
+    bag.counts("cells", &checks.cells.iter().map(|id| id.0).collect::<Vec<_>>())?;
+    verdicts(bag, known, &checks.doubtful)?;
+    bag.doubles("relations", &related(&checks.meetings))?;
+    let counts = [checks.faces, checks.corners, checks.smooth_shape, checks.smooth_material];
+    bag.counts("counts", &counts.map(|count| count as u32))
+}
+
+/// Title, unit and materials, and positions and fractions of all coefficients.
+fn written(bag: &Bag, model: &HyperpatchModel) -> Result<(), JsValue> {
+    let head = &model.document().head;
+    bag.set("title", head.title.as_str().into())?;
+    bag.set("unit", head.unit.as_str().into())?;
+    bag.set("materials", to_value(&head.materials)?)?;
+    let cells = model.body().cells();
+    let points = cells.iter().flat_map(|(_, cell)| cell.net().0).flat_map(|point| point.to_array());
+    bag.doubles("positions", &points.collect::<Vec<_>>())?;
+    let mixes = cells.iter().flat_map(|(_, cell)| {
+        (0..64).flat_map(move |at| cell.fractions().iter().map(move |fractions| fractions[at]))
+    });
+    bag.doubles("mixes", &mixes.collect::<Vec<_>>())
 }
 
 fn found(sample: &Sample) -> Result<JsValue, JsValue> {
@@ -239,16 +381,34 @@ fn related(relations: &[([CellId; 2], Relation)]) -> Vec<f64> {
     relations.iter().flat_map(row).collect()
 }
 
-/// What a section and a surface have in common.
-fn drawn(bag: &Bag, painted: &Painted) -> Result<(), JsValue> {
-    bag.floats("positions", &numbers(&painted.positions))?;
-    bag.floats("parameters", &numbers(&painted.parameters))?;
-    bag.counts("cells", &painted.cells)?;
-    bag.floats("fractions", &painted.fractions.iter().map(|&part| part as f32).collect::<Vec<_>>())?;
-    bag.set("colors", Uint8Array::from(painted.colors.as_slice()).into())?;
-    bag.counts("indices", painted.triangles.as_flattened())?;
-    let patches: Vec<u32> = painted.stretches.iter().flat_map(stretch).collect();
-    bag.counts("patches", &patches)
+/// What a section and a surface have in common, of all stretches or of some.
+fn drawn(bag: &Bag, painted: &Painted, materials: usize, chosen: Option<&[usize]>) -> Result<(), JsValue> {
+    let all: Vec<usize>;
+    let chosen = match chosen {
+        Some(chosen) => chosen,
+        None => {
+            all = (0..painted.stretches.len()).collect();
+            &all
+        }
+    };
+    let stretches = || chosen.iter().map(|n| &painted.stretches[*n]);
+    let vertices = || stretches().map(|stretch| stretch.vertices.clone());
+    let points =
+        |list: &[DVec3]| -> Vec<f32> { vertices().flat_map(|range| numbers(&list[range])).collect() };
+    bag.floats("positions", &points(&painted.positions))?;
+    bag.floats("parameters", &points(&painted.parameters))?;
+    if !painted.normals.is_empty() {
+        bag.floats("normals", &points(&painted.normals))?;
+    }
+    bag.counts("cells", &vertices().flat_map(|range| &painted.cells[range]).copied().collect::<Vec<_>>())?;
+    let wide = |range: Range<usize>, width: usize| range.start * width..range.end * width;
+    let fractions = vertices().flat_map(|range| &painted.fractions[wide(range, materials)]);
+    bag.floats("fractions", &fractions.map(|&part| part as f32).collect::<Vec<_>>())?;
+    let colors = vertices().flat_map(|range| &painted.colors[wide(range, 4)]).copied();
+    bag.set("colors", Uint8Array::from(colors.collect::<Vec<_>>().as_slice()).into())?;
+    let triangles = stretches().flat_map(|stretch| &painted.triangles[stretch.triangles.clone()]);
+    bag.counts("indices", &triangles.flatten().copied().collect::<Vec<_>>())?;
+    bag.counts("patches", &stretches().flat_map(stretch).collect::<Vec<_>>())
 }
 
 /// Cell, face, and where vertices, indices and indices of outlines start and how many there are.
@@ -275,20 +435,28 @@ fn corner_number(corner: Corner) -> u32 {
     corner.0.iter().fold(0, |number, &is_end| 2 * number + u32::from(is_end))
 }
 
-/// Boundary curves: cell, edge, number of cells, and where its points start and how many there are. Corners: cell, corner, number of
-/// cells.
-fn edges(bag: &Bag, boundary: &Boundary) -> Result<(), JsValue> {
-    let edge = |(cell, edge, users, points): &(CellId, Edge, usize, Range<usize>)| {
-        [cell.0, edge_number(*edge), *users as u32, points.start as u32, points.len() as u32]
+/// Boundary curves: place in the list of all, cell, edge, number of cells, and where its points start and how many there are. Corners: place,
+/// cell, corner, number of cells. Points of the curves and corners that are listed come one after the other.
+fn edges(bag: &Bag, boundary: &Boundary, renewal: Option<&Renewal>) -> Result<(), JsValue> {
+    let chosen =
+        |some: Option<&Vec<usize>>, count: usize| some.cloned().unwrap_or_else(|| (0..count).collect());
+    let curves = chosen(renewal.map(|renewal| &renewal.edges), boundary.edges.len());
+    let edge = |n: usize| {
+        let (cell, edge, users, points) = &boundary.edges[n];
+        let (edge, users) = (edge_number(*edge), *users as u32);
+        [n as u32, cell.0, edge, users, points.start as u32, points.len() as u32]
     };
-    bag.floats("edgePositions", &numbers(&boundary.points))?;
-    bag.counts("edges", &boundary.edges.iter().flat_map(edge).collect::<Vec<_>>())?;
-    let corner = |(cell, corner, users, _): &(CellId, Corner, usize, DVec3)| {
-        [cell.0, corner_number(*corner), *users as u32]
+    let points = curves.iter().flat_map(|n| numbers(&boundary.points[boundary.edges[*n].3.clone()]));
+    bag.floats("edgePositions", &points.collect::<Vec<_>>())?;
+    bag.counts("edges", &curves.iter().flat_map(|n| edge(*n)).collect::<Vec<_>>())?;
+    let corners = chosen(renewal.map(|renewal| &renewal.corners), boundary.corners.len());
+    let corner = |n: usize| {
+        let (cell, corner, users, _) = &boundary.corners[n];
+        [n as u32, cell.0, corner_number(*corner), *users as u32]
     };
-    bag.counts("corners", &boundary.corners.iter().flat_map(corner).collect::<Vec<_>>())?;
-    let positions: Vec<f64> = boundary.corners.iter().flat_map(|(.., point)| point.to_array()).collect();
-    bag.doubles("cornerPositions", &positions)
+    bag.counts("corners", &corners.iter().flat_map(|n| corner(*n)).collect::<Vec<_>>())?;
+    let positions = corners.iter().flat_map(|n| boundary.corners[*n].3.to_array());
+    bag.doubles("cornerPositions", &positions.collect::<Vec<_>>())
 }
 
 fn side((cell, face): (CellId, Face)) -> [f64; 2] {

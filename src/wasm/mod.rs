@@ -19,6 +19,8 @@ mod json;
 mod painting;
 #[cfg(feature = "paths")]
 mod paths;
+#[cfg(feature = "hyperpatch")]
+mod reading;
 mod results;
 #[cfg(feature = "solid")]
 mod solid;

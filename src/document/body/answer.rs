@@ -1,16 +1,26 @@
 //! Answers to questions about a body.
 
-use super::{Boundary, Painted, Summary};
+use super::{Checks, KnownSurface, Painted, Renewal, Summary};
 use crate::hyperpatch::composite::{Body, CellId, Contact, FaceContinuity, Relation, Sharing};
+use crate::hyperpatch::operation::Neighbourhood;
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Corner, Edge, Face, Grid};
 use glam::DVec3;
+use std::rc::Rc;
 
 /// An answer to a [question](super::BodyAsk).
 #[derive(Debug, Clone)]
 pub enum Answer {
     /// The cells in their order.
     Cells(Vec<CellRow>),
+    /// What would move: cells, places in their lists of 64, and shares of the displacement.
+    Moves(Vec<(CellId, usize, f64)>),
+    /// What there is round a corner.
+    Neighbourhood(Box<Neighbourhood>),
+    /// The checks of the cells that an operation made.
+    Checks(Box<Checks>),
+    /// The cells as they would be written out.
+    CellsDocument,
     /// What a cell holds at parameters.
     Sample(Sample),
     /// What is known of each cell, in their order.
@@ -26,8 +36,8 @@ pub enum Answer {
     },
     /// What a plane cuts out, with its area.
     Section(Box<Painted>, f64),
-    /// The boundary in triangles, and its edges and corners.
-    Surface(Box<Painted>, Boundary),
+    /// The boundary in triangles with its edges and corners, and what of it differs from an earlier one.
+    Surface(Rc<KnownSurface>, Option<Renewal>),
     /// What the body holds at a point, if it lies in it.
     Probe(Option<Sample>),
     /// Every pair of cells that is not disjoint.

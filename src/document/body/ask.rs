@@ -1,9 +1,11 @@
 //! Questions about a body, as they arrive in JSON.
 
+use super::super::hyperpatch::names;
 use super::super::node::Node;
 use super::super::{Code, DocumentError, HyperpatchModel, Json};
 use crate::hyperpatch::composite::CellId;
-use crate::hyperpatch::{FINEST_SECTION, LARGEST_COORDINATE, LARGEST_GRID, Plane};
+use crate::hyperpatch::operation::Reach;
+use crate::hyperpatch::{Corner, FINEST_SECTION, LARGEST_COORDINATE, LARGEST_GRID, Plane, flat};
 use crate::solid::Format;
 use glam::DVec3;
 
@@ -27,6 +29,29 @@ pub enum BodyFormat {
 pub enum BodyAsk {
     /// Every cell with its corners, its margin and its volume.
     Cells,
+    /// What would move with a coefficient.
+    Moves {
+        /// The cell.
+        cell: CellId,
+        /// Place of the coefficient in the list of 64.
+        at: usize,
+        /// How far the move reaches.
+        reach: Reach,
+    },
+    /// The cells and coefficients round a corner.
+    Neighbourhood {
+        /// A cell with the corner.
+        cell: CellId,
+        /// The corner.
+        corner: Corner,
+    },
+    /// The checks of the cells that an operation made.
+    Checks {
+        /// Its place in the list.
+        place: usize,
+    },
+    /// The body as a document of one operation.
+    CellsDocument,
     /// Position and composition at parameters of a cell.
     Sample {
         /// The cell.
@@ -54,6 +79,8 @@ pub enum BodyAsk {
     Surface {
         /// Chord tolerance; without one a thousandth of the size of the body.
         tolerance: Option<f64>,
+        /// The number of an earlier surface, of which only differences are wanted; with the faces between cells a whole one is made.
+        since: Option<u32>,
         /// Whether the faces between cells follow, once for each cell.
         has_inner: bool,
     },
@@ -95,7 +122,28 @@ impl BodyAsk {
             node.map(|node| tolerance(&node)).transpose()
         };
         Ok(match name {
-            "cells" => Self::Cells,
+            "cells" | "body" => Self::Cells,
+            "moves" => {
+                let [i, j, k] = names::coefficient(&root.need("at")?)?;
+                let reach = root.get("reach")?.map_or(Ok(Reach::Block), |node| names::reach(&node))?;
+                Self::Moves { cell: cell(&root, model)?, at: flat(i, j, k), reach }
+            }
+            "neighbourhood" => {
+                let corner = names::corner(&root.need("corner")?)?;
+                Self::Neighbourhood { cell: cell(&root, model)?, corner }
+            }
+            "checks" => {
+                let node = root.need("operation")?;
+                let id = node.count()?;
+                let place = model.stages().iter().position(|stage| stage.row().id as usize == id);
+                Self::Checks {
+                    place: place.ok_or_else(|| {
+                        let message = format!("{id} was found; expected the number of an operation");
+                        node.error(Code::Range, message)
+                    })?,
+                }
+            }
+            "cellsDocument" => Self::CellsDocument,
             "sample" => Self::Sample { cell: cell(&root, model)?, at: triple(&root.need("at")?, 0.0, 1.0)? },
             "verdicts" => {
                 known(&["global"])?;
@@ -115,10 +163,13 @@ impl BodyAsk {
                 }
             }
             "surface" => {
-                known(&["tolerance", "faces"])?;
-                let faces = options.as_ref().map_or(Ok(None), |options| options.get("faces"))?;
-                let has_inner = faces.map_or(Ok(0), |node| node.choice(&["outer", "all"]))? == 1;
-                Self::Surface { tolerance: tolerance()?, has_inner }
+                known(&["tolerance", "since", "faces"])?;
+                let option = |name| options.as_ref().map_or(Ok(None), |options: &Node<'_>| options.get(name));
+                let since = option("since")?.map(|node| node.count()).transpose()?;
+                let has_inner = option("faces")?.map_or(Ok(0), |node| node.choice(&["outer", "all"]))? == 1;
+                // What is no number of a surface is that of one that is not known.
+                let since = since.map(|id| u32::try_from(id).unwrap_or(0));
+                Self::Surface { tolerance: tolerance()?, since, has_inner }
             }
             "probe" => Self::Probe(triple(&root.need("point")?, -LARGEST_COORDINATE, LARGEST_COORDINATE)?),
             "relations" => Self::Relations,

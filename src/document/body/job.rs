@@ -1,13 +1,19 @@
 //! The job that answers a question about a body.
 
-use super::known::Judged;
+use super::known::{Difference, Judged, Old, Relations};
 use super::paint::Painter;
-use super::{Answer, BodyAsk, BodyFormat, CellRow, Held, KnownBody, Parts, Sample, Summary};
-use crate::hyperpatch::composite::{CellId, Pairs, Probe, Sharing, Verdicts};
+use super::resurface::{Resurfaced, Resurfacing};
+use super::{
+    Answer, BodyAsk, BodyFormat, Boundary, CellRow, Checks, Held, KnownBody, Painted, Parts, Renewal, Sample,
+    Summary,
+};
+use crate::hyperpatch::composite::{CellId, Pairs, Probe, Relation, Sharing, Verdicts};
+use crate::hyperpatch::operation::{moves, neighbourhood};
 use crate::hyperpatch::validity::Report;
-use crate::hyperpatch::{Face, Grid, Jacobian, Sectioning, Tessellation, VtkJob};
+use crate::hyperpatch::{Face, Grid, Sectioning, Tessellation, VtkJob};
 use crate::material::{Color, mix_fractions};
 use crate::solid::{FileJob, Labels, Mesh, Skin};
+use std::cell::OnceCell;
 use std::collections::HashSet;
 use std::rc::Rc;
 
@@ -30,13 +36,16 @@ enum Work {
     /// It is to be decided what comes next.
     Planning,
     Judging(Box<Verdicts>, bool),
-    Joining(Box<Sharing>, usize),
-    Pairing(Box<Pairs>),
+    /// The cells that are still to be joined with the others come last first.
+    Joining(Box<Sharing>, Vec<CellId>),
+    /// With what is known of the other pairs.
+    Pairing(Box<Pairs>, Relations),
     Listing(Vec<CellRow>),
     Integrating(usize, f64, Vec<f64>),
     Cutting(Box<Sectioning<Held>>),
     Meshing(Box<Tessellation<Held, Rc<Sharing>>>),
     Painting(Box<Painter>, f64),
+    Resurfacing(Box<Resurfacing>),
     Skinning(Box<Skin<Held>>),
     Coloring(Box<Mesh>, Vec<Color>),
     Writing(Box<FileJob>),
@@ -78,11 +87,13 @@ impl BodyJob {
         let share = match &self.work {
             Work::Planning => 0.0,
             Work::Judging(job, _) => job.progress(),
-            Work::Joining(_, count) | Work::Integrating(count, ..) => *count as f64 / cells,
-            Work::Pairing(job) => job.progress(),
+            Work::Joining(_, left) => 1.0 - left.len() as f64 / cells,
+            Work::Integrating(count, ..) => *count as f64 / cells,
+            Work::Pairing(job, _) => job.progress(),
             Work::Listing(rows) => rows.len() as f64 / cells,
             Work::Cutting(_) | Work::Meshing(_) => 0.3,
             Work::Painting(job, _) => 0.5 + 0.4 * job.progress(),
+            Work::Resurfacing(job) => job.progress(),
             Work::Skinning(_) | Work::Coloring(..) => 0.4,
             Work::Writing(job) => 0.5 + 0.5 * job.progress(),
             Work::Gridding(job) => job.progress(),
@@ -103,33 +114,41 @@ impl BodyJob {
                 for (id, report) in job.reports() {
                     if let Some(cell) = body.cell(*id) {
                         let is_final = is_global || !report.is_open();
-                        judged.insert(*id, Judged { net: cell.net().clone(), report: *report, is_final });
+                        let (volume, least) = (OnceCell::new(), OnceCell::new());
+                        let cell = cell.clone();
+                        judged.insert(*id, Judged { cell, report: *report, is_final, volume, least });
                     }
                 }
                 Work::Planning
             }
-            Work::Joining(mut sharing, mut next) => {
-                while let Some((id, cell)) = body.cells().get(next) {
-                    sharing.add(*id, cell.net());
-                    next += 1;
+            Work::Joining(mut sharing, mut left) => {
+                while let Some(id) = left.pop() {
+                    sharing.remove(id);
+                    if let Some(cell) = body.cell(id) {
+                        sharing.add(id, cell.net());
+                    }
                     if !may_go_on() {
-                        return Work::Joining(sharing, next);
+                        return Work::Joining(sharing, left);
                     }
                 }
                 let _ = self.known.sharing.set(Rc::new(*sharing));
+                self.known.old_sharing.take();
                 Work::Planning
             }
-            Work::Pairing(mut job) => {
+            Work::Pairing(mut job, mut known) => {
                 if !job.step(may_go_on) {
-                    return Work::Pairing(job);
+                    return Work::Pairing(job, known);
                 }
-                let _ = self.known.relations.set(job.found().to_vec());
+                known.extend_from_slice(job.found());
+                known.sort_unstable_by_key(|(cells, _)| *cells);
+                let _ = self.known.relations.set(Rc::new(known));
+                self.known.old_relations.take();
                 Work::Planning
             }
             Work::Listing(mut rows) => {
                 let reports = self.reports();
                 while let Some((cell, made)) = body.cells().get(rows.len()) {
-                    let volume = Jacobian::new(made.net()).volume();
+                    let volume = self.known.volume_of(*cell, made);
                     let margin = reports.get(rows.len()).map_or(-1.0, |(_, report)| report.margin);
                     rows.push(CellRow { cell: *cell, corners: made.net().corners(), margin, volume });
                     if !may_go_on() {
@@ -171,8 +190,16 @@ impl BodyJob {
                 None => Work::Painting(job, area),
                 Some((painted, boundary)) => match self.ask {
                     BodyAsk::Section { .. } => Work::Done(Some(Answer::Section(Box::new(painted), area))),
-                    _ => Work::Done(Some(Answer::Surface(Box::new(painted), boundary))),
+                    _ => self.surfaced(painted, boundary, None),
                 },
+            },
+            Work::Resurfacing(mut job) => match job.step(&self.known, may_go_on) {
+                Resurfaced::Open => Work::Resurfacing(job),
+                Resurfaced::Unlike => self.meshing(self.tolerance(), false),
+                Resurfaced::Done(done) => {
+                    let (painted, boundary, renewal) = *done;
+                    self.surfaced(painted, boundary, Some(renewal))
+                }
             },
             Work::Skinning(mut job) => match job.step(may_go_on) {
                 None => Work::Skinning(job),
@@ -215,13 +242,13 @@ impl BodyJob {
         if let Some(is_global) = self.is_judged_globally() {
             let judged = known.judged.borrow();
             let is_known = |id: &CellId| judged.get(id).is_some_and(|found| found.is_final || !is_global);
-            let open: Vec<CellId> =
-                body.cells().iter().map(|(id, _)| *id).filter(|id| !is_known(id)).collect();
+            let open: Vec<CellId> = self.judged().into_iter().filter(|id| !is_known(id)).collect();
             if !open.is_empty() {
                 return Work::Judging(Box::new(Verdicts::new(body, open, is_global)), is_global);
             }
         }
         let is_summary = matches!(ask, BodyAsk::Summary);
+        let is_paired = is_summary || matches!(ask, BodyAsk::Relations | BodyAsk::Checks { .. });
         let is_joined = matches!(
             ask,
             BodyAsk::Surface { .. }
@@ -229,11 +256,11 @@ impl BodyJob {
                 | BodyAsk::Continuity
                 | BodyAsk::Sharing
         );
-        if (is_joined || is_summary) && known.sharing.get().is_none() {
-            return Work::Joining(Box::new(Sharing::start(body)), 0);
+        if (is_joined || is_paired) && known.sharing.get().is_none() {
+            return self.joining();
         }
-        if (matches!(ask, BodyAsk::Relations) || is_summary) && known.relations.get().is_none() {
-            return Work::Pairing(Box::new(Pairs::new(body)));
+        if is_paired && known.relations.get().is_none() {
+            return self.pairing();
         }
         match ask {
             BodyAsk::Cells => Work::Listing(Vec::with_capacity(body.cells().len())),
@@ -242,8 +269,15 @@ impl BodyJob {
                 Ok(job) => Work::Cutting(Box::new(job)),
                 Err(_) => Work::Done(None),
             },
-            BodyAsk::Surface { tolerance, has_inner } => self.meshing(tolerance, has_inner),
-            BodyAsk::File { format: BodyFormat::Surface(_), tolerance } => self.meshing(tolerance, false),
+            BodyAsk::Surface { tolerance, since: Some(since), has_inner: false } => {
+                let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance);
+                job.map_or_else(
+                    || self.meshing(self.tolerance(), false),
+                    |job| Work::Resurfacing(Box::new(job)),
+                )
+            }
+            BodyAsk::Surface { has_inner, .. } => self.meshing(self.tolerance(), has_inner),
+            BodyAsk::File { format: BodyFormat::Surface(_), .. } => self.meshing(self.tolerance(), false),
             BodyAsk::File { format: BodyFormat::Vtk, .. } => {
                 Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
             }
@@ -251,17 +285,78 @@ impl BodyJob {
         }
     }
 
+    /// The job that finds what cells share; of most it is known when little has changed.
+    fn joining(&self) -> Work {
+        let body = self.known.model().body();
+        let sharing = Sharing::start(body);
+        if let Some(Old { body: old, found }) = &*self.known.old_sharing.borrow()
+            && found.tolerance() == sharing.tolerance()
+        {
+            let mut difference = Difference::new(body, old);
+            if difference.changed.len() + difference.gone.len() <= body.cells().len() / 2 {
+                difference.gone.append(&mut difference.changed);
+                return Work::Joining(Box::new(Sharing::clone(found)), difference.gone);
+            }
+        }
+        Work::Joining(Box::new(sharing), body.cells().iter().rev().map(|(id, _)| *id).collect())
+    }
+
+    /// The job that finds the relations of all pairs; those of cells that have not changed are known.
+    fn pairing(&self) -> Work {
+        let body = self.known.model().body();
+        let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
+        let mut known = Relations::new();
+        let mut chosen: HashSet<CellId> = body.cells().iter().map(|(id, _)| *id).collect();
+        if let Some(Old { body: old, found }) = &*self.known.old_relations.borrow() {
+            let difference = Difference::new(body, old);
+            chosen = difference.changed.into_iter().collect();
+            let is_new: HashSet<CellId> = difference.gone.iter().chain(&chosen).copied().collect();
+            let stays = |pair: &&([CellId; 2], Relation)| !pair.0.iter().any(|id| is_new.contains(id));
+            known.extend(found.iter().filter(stays).cloned());
+        }
+        Work::Pairing(Box::new(Pairs::with(body, Rc::clone(sharing), chosen)), known)
+    }
+
     /// Whether the question rests on verdicts, and on all checks.
     fn is_judged_globally(&self) -> Option<bool> {
         match self.ask {
             BodyAsk::Cells => Some(false),
             BodyAsk::Verdicts { is_global } => Some(is_global),
-            BodyAsk::Summary => Some(true),
+            BodyAsk::Summary | BodyAsk::Checks { .. } => Some(true),
             _ => None,
         }
     }
 
-    fn meshing(&self, tolerance: Option<f64>, has_inner: bool) -> Work {
+    /// The cells on whose verdicts the question rests.
+    fn judged(&self) -> Vec<CellId> {
+        let model = self.known.model();
+        let is_there = |id: &CellId| model.body().cell(*id).is_some();
+        match self.ask {
+            BodyAsk::Checks { place } => {
+                let made = model.stages().get(place).map_or(&[][..], |stage| &stage.row().made);
+                made.iter().copied().filter(is_there).collect()
+            }
+            _ => model.body().cells().iter().map(|(id, _)| *id).collect(),
+        }
+    }
+
+    /// The chord tolerance of a surface.
+    fn tolerance(&self) -> f64 {
+        let asked = match self.ask {
+            BodyAsk::Surface { tolerance, .. } | BodyAsk::File { tolerance, .. } => tolerance,
+            _ => None,
+        };
+        asked.unwrap_or(TOLERANCE * self.known.size())
+    }
+
+    /// The answer with a surface, which is remembered.
+    fn surfaced(&self, painted: Painted, boundary: Boundary, renewal: Option<Renewal>) -> Work {
+        let BodyAsk::Surface { tolerance, .. } = self.ask else { return Work::Done(None) };
+        let kept = self.known.surfaces.borrow_mut().keep(&self.known, (painted, boundary), tolerance);
+        Work::Done(kept.map(|surface| Answer::Surface(surface, renewal)))
+    }
+
+    fn meshing(&self, tolerance: f64, has_inner: bool) -> Work {
         let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
         let mut faces = sharing.outer_faces();
         if has_inner {
@@ -270,7 +365,6 @@ impl BodyJob {
             let all = cells.iter().flat_map(|(id, _)| Face::all().map(|face| (*id, face)));
             faces.extend(all.filter(|side| !outer.contains(side)));
         }
-        let tolerance = tolerance.unwrap_or(TOLERANCE * self.known.size());
         let job = Tessellation::new(self.known.held(), Rc::clone(sharing), faces, tolerance);
         job.map_or(Work::Done(None), |job| Work::Meshing(Box::new(job)))
     }
@@ -280,6 +374,16 @@ impl BodyJob {
         let known = &self.known;
         let body = known.model().body();
         Some(match self.ask {
+            BodyAsk::Moves { cell, at, reach } => Answer::Moves(moves(body, cell, at, reach).ok()?),
+            BodyAsk::Neighbourhood { cell, corner } => {
+                Answer::Neighbourhood(Box::new(neighbourhood(body, cell, corner).ok()?))
+            }
+            BodyAsk::Checks { place } => {
+                let (sharing, relations) = known.sharing.get().zip(known.relations.get())?;
+                let made = &known.model().stages().get(place)?.row().made;
+                Answer::Checks(Box::new(Checks::new(body, sharing, made, &self.reports(), relations)))
+            }
+            BodyAsk::CellsDocument => Answer::CellsDocument,
             BodyAsk::Sample { cell, at } => Answer::Sample(Sample::new(body, cell, at)?),
             BodyAsk::Verdicts { .. } => Answer::Verdicts(self.reports()),
             BodyAsk::Summary => {
@@ -290,7 +394,7 @@ impl BodyJob {
                 let probe = known.probe.get_or_init(|| Probe::new(known.held()));
                 Answer::Probe(probe.place(point).and_then(|place| Sample::new(body, place.cell, place.at)))
             }
-            BodyAsk::Relations => Answer::Relations(known.relations.get()?.clone()),
+            BodyAsk::Relations => Answer::Relations(known.relations.get()?.to_vec()),
             BodyAsk::Continuity => {
                 let sharing = known.sharing.get()?;
                 Answer::Continuity(sharing.continuity(body), sharing.contacts(body))
@@ -316,8 +420,8 @@ impl BodyJob {
         let model = self.known.model();
         let document = model.document();
         Labels {
-            title: document.title.clone(),
-            unit: document.unit.clone(),
+            title: document.head.title.clone(),
+            unit: document.head.unit.clone(),
             materials: model.materials().iter().map(|material| material.name.clone()).collect(),
         }
     }
@@ -326,7 +430,7 @@ impl BodyJob {
 #[cfg(test)]
 mod tests {
     use super::super::super::{Json, read_hyperpatch};
-    use super::super::BodyMemory;
+    use super::super::{BodyMemory, DocumentKey};
     use super::*;
     use crate::document::HyperpatchModel;
     use crate::hyperpatch::validity::Verdict;
@@ -354,9 +458,10 @@ mod tests {
     }
 
     fn known(memory: &mut BodyMemory, text: &str) -> Rc<KnownBody> {
-        memory.find(text).unwrap_or_else(|| {
+        let key = DocumentKey { head: text.to_owned(), operations: Vec::new() };
+        memory.find(&key).unwrap_or_else(|| {
             let document = read_hyperpatch(&Json::parse(text).unwrap()).unwrap();
-            memory.keep(text, HyperpatchModel::new(document).unwrap())
+            memory.keep(key, HyperpatchModel::new(document).unwrap())
         })
     }
 
@@ -399,7 +504,12 @@ mod tests {
             };
             assert!(job.step(&mut || true).is_none(), "{name}: nothing more ever after");
             let whole = BodyJob::new(Rc::clone(&known), ask).run().expect("an answer");
-            assert_eq!(format!("{stepped:?}"), format!("{whole:?}"), "{name}");
+            // Surfaces have numbers of their own.
+            let told = |answer: &Answer| match answer {
+                Answer::Surface(surface, None) => format!("{:?}", (&surface.painted, &surface.boundary)),
+                other => format!("{other:?}"),
+            };
+            assert_eq!(told(&stepped), told(&whole), "{name}");
         }
     }
 
@@ -408,8 +518,12 @@ mod tests {
     fn surfaces_carry_material_and_curves() {
         let mut memory = BodyMemory::default();
         let known = known(&mut memory, &text(0.0));
-        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, has_inner: false });
-        let Some(Answer::Surface(painted, boundary)) = job.run() else { panic!("a surface was asked for") };
+        let job = BodyJob::new(
+            Rc::clone(&known),
+            BodyAsk::Surface { tolerance: None, since: None, has_inner: false },
+        );
+        let Some(Answer::Surface(surface, None)) = job.run() else { panic!("a surface was asked for") };
+        let (painted, boundary) = (&surface.painted, &surface.boundary);
         for (vertex, point) in painted.positions.iter().enumerate() {
             let t = painted.parameters[vertex].x;
             assert!((point.x - (f64::from(painted.cells[vertex]) + t)).abs() < 1e-12);
@@ -423,8 +537,11 @@ mod tests {
         assert!(place.map(|place: DVec3| place.x).all(|x| x == 1.0));
 
         // With the faces between cells, which follow the outer ones, every face of every cell is there, and the curves are the same.
-        let job = BodyJob::new(Rc::clone(&known), BodyAsk::Surface { tolerance: None, has_inner: true });
-        let Some(Answer::Surface(whole, curves)) = job.run() else { panic!("a surface was asked for") };
+        let ask = BodyAsk::Surface { tolerance: None, since: Some(surface.id), has_inner: true };
+        let Some(Answer::Surface(all, None)) = BodyJob::new(Rc::clone(&known), ask).run() else {
+            panic!("a surface was asked for")
+        };
+        let (whole, curves) = (&all.painted, &all.boundary);
         assert_eq!((painted.stretches.len(), whole.stretches.len()), (10, 12));
         assert!(
             painted.stretches.iter().zip(&whole.stretches).all(|(a, b)| (a.cell, a.face) == (b.cell, b.face))

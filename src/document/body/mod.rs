@@ -5,14 +5,20 @@
 
 mod answer;
 mod ask;
+mod checks;
 mod job;
 mod known;
+mod memory;
 mod paint;
+mod resurface;
 mod summary;
 
 pub use answer::{Answer, CellRow, Parts, Sample, SharedParts};
 pub use ask::{BodyAsk, BodyFormat};
+pub use checks::Checks;
 pub use job::BodyJob;
-pub use known::{BodyMemory, Held, KnownBody};
+pub use known::{Held, KnownBody};
+pub use memory::{BodyMemory, DocumentKey};
 pub use paint::{Boundary, Painted, Stretch};
+pub use resurface::{KnownSurface, Renewal};
 pub use summary::Summary;

@@ -1,7 +1,7 @@
 //! Triangles in cells with the material at their vertices.
 
 use super::{Held, KnownBody};
-use crate::hyperpatch::composite::{CellId, Sharing};
+use crate::hyperpatch::composite::{Body, CellId, Sharing};
 use crate::hyperpatch::{Cell, Corner, Edge, Face, Section, Surface, cubic};
 use crate::material::mix_fractions;
 use glam::DVec3;
@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 /// The triangles, vertices and pieces of outline of one cell, or of one of its faces.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Stretch {
     /// The cell.
     pub cell: CellId,
@@ -22,6 +22,10 @@ pub struct Stretch {
     pub triangles: Range<usize>,
     /// Its pieces of outline, of a section.
     pub outlines: Range<usize>,
+    /// Segments along the edges of the face.
+    pub segments: [usize; 4],
+    /// No point of the face is farther than this from its triangles.
+    pub deviation: f64,
 }
 
 /// Triangles with all that is drawn of them, for each vertex.
@@ -67,8 +71,15 @@ pub(super) struct Painter {
     painted: Painted,
     /// Number of stretches that are done.
     next: usize,
-    /// Of a surface: what cells share, and the curves that are found.
-    boundary: Option<(Rc<Sharing>, Boundary)>,
+    /// Of a surface: its curves.
+    outliner: Option<Outliner>,
+}
+
+/// Finds the boundary curves and corners of a surface.
+#[derive(Debug)]
+pub(super) struct Outliner {
+    sharing: Rc<Sharing>,
+    pub(super) boundary: Boundary,
     edges: HashSet<(CellId, Edge)>,
     corners: HashSet<(CellId, Corner)>,
 }
@@ -81,6 +92,8 @@ impl Painter {
             vertices: cut.positions,
             triangles: cut.triangles,
             outlines: cut.outlines,
+            segments: [0; 4],
+            deviation: 0.0,
         };
         Self::new(
             known,
@@ -96,12 +109,19 @@ impl Painter {
     }
 
     pub(super) fn of_surface(known: &KnownBody, surface: Surface, sharing: Rc<Sharing>) -> Self {
+        Self { outliner: Some(Outliner::new(sharing)), ..Self::of_faces(known, surface) }
+    }
+
+    /// Of some faces of a surface, without its curves.
+    pub(super) fn of_faces(known: &KnownBody, surface: Surface) -> Self {
         let stretch = |patch: crate::hyperpatch::Patch| Stretch {
             cell: patch.cell,
             face: Some(patch.face),
             vertices: patch.positions,
             triangles: patch.triangles,
             outlines: 0..0,
+            segments: patch.segments,
+            deviation: patch.deviation,
         };
         let painted = Painted {
             positions: surface.positions,
@@ -112,12 +132,11 @@ impl Painter {
             deviation: surface.deviation,
             ..Painted::default()
         };
-        Self { boundary: Some((sharing, Boundary::default())), ..Self::new(known, painted) }
+        Self::new(known, painted)
     }
 
     fn new(known: &KnownBody, painted: Painted) -> Self {
-        let (edges, corners) = (HashSet::new(), HashSet::new());
-        Self { body: known.held(), painted, next: 0, boundary: None, edges, corners }
+        Self { body: known.held(), painted, next: 0, outliner: None }
     }
 
     /// Share of the work that is done, from 0 to 1.
@@ -135,7 +154,9 @@ impl Painter {
             if let Some(cell) = self.body.cell(stretch.cell) {
                 paint(&mut self.painted, known, cell, &stretch);
             }
-            self.outline(&stretch);
+            if let Some(outliner) = &mut self.outliner {
+                outliner.add(&self.body, &self.painted, &stretch);
+            }
             self.next += 1;
             if !may_go_on() {
                 break;
@@ -144,13 +165,21 @@ impl Painter {
         if self.next < self.painted.stretches.len() {
             return None;
         }
-        let boundary = self.boundary.take().map_or_else(Boundary::default, |(_, boundary)| boundary);
+        let boundary = self.outliner.take().map_or_else(Boundary::default, |outliner| outliner.boundary);
         Some((std::mem::take(&mut self.painted), boundary))
+    }
+}
+
+impl Outliner {
+    pub(super) fn new(sharing: Rc<Sharing>) -> Self {
+        let (edges, corners) = (HashSet::new(), HashSet::new());
+        Self { sharing, boundary: Boundary::default(), edges, corners }
     }
 
     /// Collects the boundary curves and corners of a face that no face before had. The vertices of a face lie on them exactly.
-    fn outline(&mut self, stretch: &Stretch) {
-        let (Some((sharing, boundary)), Some(face)) = (&mut self.boundary, stretch.face) else { return };
+    pub(super) fn add(&mut self, body: &Body, painted: &Painted, stretch: &Stretch) {
+        let Some(face) = stretch.face else { return };
+        let (sharing, boundary) = (&self.sharing, &mut self.boundary);
         for edge in face.edges() {
             let users = sharing.at_edge(stretch.cell, edge);
             if !users.first().is_some_and(|first| self.edges.insert(*first)) {
@@ -160,14 +189,14 @@ impl Painter {
             let line = edge.parameters(0.0);
             let is_on = |at: DVec3| (0..3).all(|n| n == axis || at[n] == line[n]);
             let mut vertices: Vec<usize> =
-                stretch.vertices.clone().filter(|&vertex| is_on(self.painted.parameters[vertex])).collect();
-            let place = |vertex: usize| self.painted.parameters[vertex][axis];
+                stretch.vertices.clone().filter(|&vertex| is_on(painted.parameters[vertex])).collect();
+            let place = |vertex: usize| painted.parameters[vertex][axis];
             vertices.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
             let start = boundary.points.len();
-            boundary.points.extend(vertices.iter().map(|&vertex| self.painted.positions[vertex]));
+            boundary.points.extend(vertices.iter().map(|&vertex| painted.positions[vertex]));
             boundary.edges.push((stretch.cell, edge, users.len(), start..boundary.points.len()));
         }
-        let Some((cell, numbers)) = self.body.cell(stretch.cell).zip(sharing.points(stretch.cell)) else {
+        let Some((cell, numbers)) = body.cell(stretch.cell).zip(sharing.points(stretch.cell)) else {
             return;
         };
         for corner in Corner::all().into_iter().filter(|corner| corner.faces().contains(&face)) {

@@ -1,21 +1,27 @@
 //! The cells of a body under identifiers that stay.
 
+use super::marks::{Mark, Marks, Side};
+use super::sharing::WELD;
 use crate::hyperpatch::{Cell, Jacobian};
+use glam::DVec3;
 use std::error::Error;
 use std::fmt;
 
 /// Most cells of a body.
 pub const MOST_CELLS: usize = 10_000;
 
-/// Identifier of a cell: its place in the order of creation, which no deletion changes and no later cell gets again.
+/// Identifier of a cell: no deletion changes it, and no later cell gets it again unless it is [given](Body::add_as).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CellId(pub u32);
 
-/// Cells in the order of their creation, all of the same number of materials.
+/// Cells by their identifiers, all of the same number of materials, and the continuity that is wanted where they meet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     materials: usize,
     cells: Vec<(CellId, Cell)>,
+    /// The box of the control points of each cell.
+    boxes: Vec<(DVec3, DVec3)>,
+    marks: Marks,
     next: u32,
 }
 
@@ -37,6 +43,11 @@ pub enum BodyError {
         /// The identifier.
         id: CellId,
     },
+    /// There is such a cell already.
+    Taken {
+        /// The identifier.
+        id: CellId,
+    },
 }
 
 impl fmt::Display for CellId {
@@ -53,6 +64,7 @@ impl fmt::Display for BodyError {
                 write!(f, "the cell has {count} materials; expected {expected}, as the body has")
             }
             Self::Unknown { id } => write!(f, "there is no cell {id}"),
+            Self::Taken { id } => write!(f, "there is a cell {id} already"),
         }
     }
 }
@@ -63,7 +75,7 @@ impl Body {
     /// A body without cells.
     #[must_use]
     pub fn new(materials: usize) -> Self {
-        Self { materials, cells: Vec::new(), next: 0 }
+        Self { materials, cells: Vec::new(), boxes: Vec::new(), marks: Marks::default(), next: 0 }
     }
 
     /// Number of materials.
@@ -96,30 +108,61 @@ impl Body {
         self.check(&cell)?;
         let id = CellId(self.next);
         self.next += 1;
+        self.boxes.push(cell.net().bounds());
         self.cells.push((id, cell));
         Ok(id)
     }
 
-    /// Puts another shape and material in the place of a cell, which keeps its identifier.
+    /// Adds a cell under an identifier of the caller's choice. Cells that are added without one get identifiers above
+    /// it.
+    ///
+    /// # Errors
+    /// As [`Body::add`], and when there is a cell of that identifier.
+    pub fn add_as(&mut self, id: CellId, cell: Cell) -> Result<(), BodyError> {
+        if self.cells.len() >= MOST_CELLS {
+            return Err(BodyError::Full);
+        }
+        self.check(&cell)?;
+        let Err(index) = self.cells.binary_search_by_key(&id, |(id, _)| *id) else {
+            return Err(BodyError::Taken { id });
+        };
+        self.next = self.next.max(id.0.saturating_add(1));
+        self.boxes.insert(index, cell.net().bounds());
+        self.cells.insert(index, (id, cell));
+        Ok(())
+    }
+
+    /// Puts another shape and material in the place of a cell, which keeps its identifier and its marks.
     ///
     /// # Errors
     /// When there is no such cell, or the new one has another number of materials.
     pub fn replace(&mut self, id: CellId, cell: Cell) -> Result<Cell, BodyError> {
         self.check(&cell)?;
         let index = self.index(id).ok_or(BodyError::Unknown { id })?;
+        self.boxes[index] = cell.net().bounds();
         Ok(std::mem::replace(&mut self.cells[index].1, cell))
     }
 
-    /// Takes a cell out; the others keep their identifiers.
+    /// Takes a cell out, with what is marked at it; the others keep their identifiers.
     ///
     /// # Errors
     /// When there is no such cell.
     pub fn remove(&mut self, id: CellId) -> Result<Cell, BodyError> {
         let index = self.index(id).ok_or(BodyError::Unknown { id })?;
+        self.marks.forget(id);
+        self.boxes.remove(index);
         Ok(self.cells.remove(index).1)
     }
 
-    /// Adds all cells of another body, in their order, and returns their new identifiers.
+    /// Takes cells out, with what is marked at them. Identifiers are ascending; those that the body does not have are
+    /// passed over.
+    pub(in crate::hyperpatch) fn remove_all(&mut self, ids: &[CellId]) {
+        ids.iter().for_each(|id| self.marks.forget(*id));
+        self.cells.retain(|(id, _)| ids.binary_search(id).is_err());
+        self.boxes = self.cells.iter().map(|(_, cell)| cell.net().bounds()).collect();
+    }
+
+    /// Adds all cells of another body, in their order and with their marks, and returns their new identifiers.
     ///
     /// # Errors
     /// When there would be too many cells, or the other body has another number of materials; nothing is added then.
@@ -130,7 +173,60 @@ impl Body {
         if let Some((_, cell)) = other.cells.first() {
             self.check(cell)?;
         }
-        other.cells.iter().map(|(_, cell)| self.add(cell.clone())).collect()
+        let ids: Result<Vec<_>, _> = other.cells.iter().map(|(_, cell)| self.add(cell.clone())).collect();
+        let ids = ids?;
+        let renamed = |side: Side| Some(Side { cell: ids[other.index(side.cell)?], ..side });
+        self.marks.copy(&other.marks, renamed);
+        Ok(ids)
+    }
+
+    /// What is marked about the continuity between cells.
+    #[must_use]
+    pub fn marks(&self) -> &Marks {
+        &self.marks
+    }
+
+    /// Marks the continuity that is wanted on a side and the one that lies on it. Nothing is moved.
+    pub(in crate::hyperpatch) fn mark(&mut self, side: Side, mark: Mark) {
+        self.marks.set(side, mark);
+    }
+
+    /// Puts every mark at other sides.
+    pub(in crate::hyperpatch) fn rename_marks(&mut self, renamed: impl Fn(Side) -> Side) {
+        let marks = std::mem::take(&mut self.marks);
+        self.marks.copy(&marks, |side| Some(renamed(side)));
+    }
+
+    /// Repeats marks for other cells; `renamed` says what a side becomes, or that it has no counterpart.
+    pub(in crate::hyperpatch) fn repeat_marks(&mut self, renamed: impl Fn(Side) -> Option<Side>) {
+        let marks = self.marks.clone();
+        self.marks.copy(&marks, renamed);
+    }
+
+    /// Length of the diagonal of the box of all control points; never zero.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let (lo, hi) = self.bounds();
+        let diagonal = (hi - lo).length();
+        if diagonal.is_finite() && diagonal > 0.0 { diagonal } else { 1.0 }
+    }
+
+    /// Distance within which control points of cells are one: 1e-9 of the size, which is rounded to a power of two, so that it
+    /// seldom changes when the body does.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        WELD * self.size().log2().round().exp2()
+    }
+
+    /// The box of all control points; without any its lowest corner is above the highest.
+    pub(in crate::hyperpatch) fn bounds(&self) -> (DVec3, DVec3) {
+        let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        self.boxes.iter().fold(start, |(lo, hi), (a, b)| (lo.min(*a), hi.max(*b)))
+    }
+
+    /// The boxes of the control points of all cells, in their order.
+    pub(in crate::hyperpatch) fn boxes(&self) -> &[(DVec3, DVec3)] {
+        &self.boxes
     }
 
     /// Volume of all cells: exact up to rounding.
@@ -189,6 +285,19 @@ mod tests {
         assert_eq!(body.cells().iter().map(|(id, _)| id.0).collect::<Vec<_>>(), [0, 2, 3, 5]);
         assert_eq!(body.cell(CellId(2)), ring(4).cell(CellId(2)));
         assert_eq!(body.remove(CellId(1)), Err(BodyError::Unknown { id: CellId(1) }));
+    }
+
+    #[test]
+    fn identifiers_may_be_given() {
+        let mut body = ring(2);
+        let cell = |n: usize| ring(4).cells()[n].1.clone();
+        body.add_as(CellId(70_001), cell(2)).unwrap();
+        body.add_as(CellId(10_000), cell(3)).unwrap();
+        assert_eq!(body.cells().iter().map(|(id, _)| id.0).collect::<Vec<_>>(), [0, 1, 10_000, 70_001]);
+        assert_eq!(body.cell(CellId(10_000)), Some(&cell(3)));
+        assert_eq!(body.boxes()[2], cell(3).net().bounds());
+        assert_eq!(body.add_as(CellId(1), cell(1)), Err(BodyError::Taken { id: CellId(1) }));
+        assert_eq!(body.add(cell(1)), Ok(CellId(70_002)));
     }
 
     #[test]

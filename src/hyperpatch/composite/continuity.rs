@@ -1,8 +1,7 @@
 //! How cells continue each other across faces, in shape and in material apart.
 
 use super::sharing::Matching;
-use super::{Body, CellId, SharedFace, Sharing};
-use crate::hyperpatch::bernstein::stride;
+use super::{Body, CellId, SharedFace, Sharing, Side};
 use crate::hyperpatch::{Cell, Corner, Face};
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
@@ -98,7 +97,8 @@ impl Sharing {
             let Some(numbers) = self.points(*id) else { continue };
             for corner in Corner::all() {
                 for face in corner.faces() {
-                    let [at, a, b, across] = block(face, corner).map(|at| numbers[at]);
+                    let side = Side { cell: *id, corner, axis: face.axis };
+                    let [at, a, b, across] = side.block().map(|at| numbers[at]);
                     blocks.entry([at, a.min(b), a.max(b), across]).or_default().push((*id, face, corner));
                 }
             }
@@ -127,7 +127,8 @@ impl Sharing {
     /// How the second face lies on the first when two corners with equal blocks lie on each other.
     fn matching(&self, first: (CellId, Face, Corner), second: (CellId, Face, Corner)) -> Matching {
         let along = |(id, face, corner): (CellId, Face, Corner)| {
-            self.points(id).map(|numbers| numbers[block(face, corner)[1]])
+            let side = Side { cell: id, corner, axis: face.axis };
+            self.points(id).map(|numbers| numbers[side.block()[1]])
         };
         let ends =
             |(_, face, corner): (CellId, Face, Corner)| face.axis.others().map(|a| corner.0[a as usize]);
@@ -142,7 +143,7 @@ impl Sharing {
         let cells = [body.cell(first)?, body.cell(second)?];
         let places = (first_face.coefficients(), second_face.coefficients());
         let at = |n: usize| [places.0[n], places.1[face.matching.coefficient(n)]];
-        let inner = |at: [usize; 2]| [inside(at[0], first_face), inside(at[1], second_face)];
+        let inner = |at: [usize; 2]| [first_face.inside(at[0]), second_face.inside(at[1])];
         let shape: [Comparison; 16] = std::array::from_fn(|n| {
             let points = |at: [usize; 2]| [cells[0].net().0[at[0]], cells[1].net().0[at[1]]];
             let ([a, b], [c, d]) = (points(at(n)), points(inner(at(n))));
@@ -201,19 +202,6 @@ fn of_face(face: &[Comparison; 16]) -> Continuity {
         (true, false) => Continuity::C0,
         (true, true) => Continuity::C1,
     }
-}
-
-/// Place of the coefficient one step inside from one on a face.
-fn inside(at: usize, face: Face) -> usize {
-    if face.is_end { at - stride(face.axis) } else { at + stride(face.axis) }
-}
-
-/// Places of the 2 x 2 coefficients of a corner on a face: the corner, its neighbours along the first and the second
-/// axis of the face, and the one across.
-fn block(face: Face, corner: Corner) -> [usize; 4] {
-    let places = corner.block();
-    let [first, second] = face.axis.others().map(|axis| 4 >> axis as usize);
-    [places[0], places[first], places[second], places[first | second]]
 }
 
 /// Largest distance of points of equal parameters on two faces.

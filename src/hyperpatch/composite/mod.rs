@@ -8,6 +8,7 @@
 mod body;
 mod continuity;
 mod locate;
+mod marks;
 mod relation;
 mod shared;
 mod sharing;
@@ -18,6 +19,8 @@ mod weld;
 pub use body::{Body, BodyError, CellId, MOST_CELLS};
 pub use continuity::{Contact, Continuity, CornerContinuity, FaceContinuity, Match};
 pub use locate::{Place, Probe};
+pub use marks::{Mark, Marks, Side};
 pub use relation::{Pairs, Relation, relate};
 pub use sharing::{Matching, SharedFace, Sharing};
 pub use verdicts::Verdicts;
+pub(super) use weld::Weld;

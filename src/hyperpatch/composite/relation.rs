@@ -8,7 +8,8 @@ use crate::hyperpatch::inversion::newton;
 use crate::hyperpatch::validity::{Piece, are_separated};
 use crate::hyperpatch::{Differences, Face, Net};
 use glam::DVec3;
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
+use std::rc::Rc;
 
 /// Most pairs of pieces of two cells that are looked at; each takes some ten microseconds.
 const MOST_LOOKS: usize = 4000;
@@ -81,7 +82,9 @@ impl Relation {
 #[derive(Debug)]
 pub struct Pairs {
     cells: Vec<(CellId, Net)>,
-    sharing: Sharing,
+    /// Cells of which a pair has at least one; without them all.
+    chosen: Option<HashSet<CellId>>,
+    sharing: Rc<Sharing>,
     /// Number of cells whose shared parts are known.
     joined: usize,
     tree: Tree,
@@ -97,13 +100,22 @@ impl Pairs {
     /// The job for a body as it is now.
     #[must_use]
     pub fn new(body: &Body) -> Self {
-        let sharing = Sharing::start(body);
+        Self::start(body, Rc::new(Sharing::start(body)), None, 0)
+    }
+
+    /// The job for the pairs with at least one of some cells, of a body of which it is known what its cells share.
+    #[must_use]
+    pub fn with(body: &Body, sharing: Rc<Sharing>, chosen: HashSet<CellId>) -> Self {
+        Self::start(body, sharing, Some(chosen), body.cells().len())
+    }
+
+    fn start(body: &Body, sharing: Rc<Sharing>, chosen: Option<HashSet<CellId>>, joined: usize) -> Self {
         let slack = sharing.tolerance();
         let cells: Vec<_> = body.cells().iter().map(|(id, cell)| (*id, cell.net().clone())).collect();
         let boxes = cells.iter().map(|(_, net)| net.bounds()).map(|(lo, hi)| (lo - slack, hi + slack));
         let tree = Tree::new(boxes.collect());
         let (partners, found) = (Vec::new(), Vec::new());
-        Self { cells, sharing, joined: 0, tree, begun: 0, partners, work: None, found }
+        Self { cells, chosen, sharing, joined, tree, begun: 0, partners, work: None, found }
     }
 
     /// Share of the work that is done, from 0 to 1.
@@ -123,7 +135,7 @@ impl Pairs {
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> bool {
         loop {
             if let Some((id, net)) = self.cells.get(self.joined) {
-                self.sharing.add(*id, net);
+                Rc::make_mut(&mut self.sharing).add(*id, net);
                 self.joined += 1;
             } else {
                 self.look();
@@ -164,7 +176,11 @@ impl Pairs {
         if self.partners.is_empty() && self.begun < self.cells.len() {
             let (lo, hi) = self.tree.bounds(self.begun);
             let met = self.tree.meeting(lo, hi);
-            self.partners = met.into_iter().rev().filter(|&other| other > self.begun).collect();
+            let is_chosen =
+                |n: usize| self.chosen.as_ref().is_none_or(|chosen| chosen.contains(&self.cells[n].0));
+            let is_wanted =
+                |&other: &usize| other > self.begun && (is_chosen(self.begun) || is_chosen(other));
+            self.partners = met.into_iter().rev().filter(is_wanted).collect();
             self.begun += 1;
         }
         let (a, b) = (self.begun.checked_sub(1)?, self.partners.pop()?);

@@ -78,7 +78,7 @@ impl Sharing {
     /// The state before the first cell of a body is [added](Sharing::add), for work in steps.
     #[must_use]
     pub fn start(body: &Body) -> Self {
-        let tolerance = WELD * size(body);
+        let tolerance = body.tolerance();
         let origin = body.cells().first().map_or(DVec3::ZERO, |(_, cell)| cell.net().0[0]);
         Self {
             tolerance,
@@ -90,24 +90,53 @@ impl Sharing {
         }
     }
 
-    /// Adds the next cell of the body. They must come in the order of the body.
+    /// Adds a cell of the body that is not there.
     pub fn add(&mut self, id: CellId, net: &Net) {
+        fn insert<P>(list: &mut Vec<(CellId, P)>, id: CellId, part: P) {
+            let at = list.partition_point(|(other, _)| *other <= id);
+            list.insert(at, (id, part));
+        }
         let is_inner = |at: usize| [at / 16, at / 4 % 4, at % 4].iter().all(|&n| n == 1 || n == 2);
         let weld = &mut self.weld;
         let numbers: [u32; 64] =
             std::array::from_fn(|at| if is_inner(at) { INNER } else { weld.number(net.0[at]) });
         for corner in Corner::all() {
-            self.corners.entry(numbers[corner.coefficient()]).or_default().push((id, corner));
+            insert(self.corners.entry(numbers[corner.coefficient()]).or_default(), id, corner);
         }
         for edge in Edge::all() {
             let key = edge_key(edge.coefficients().map(|at| numbers[at]));
-            self.edges.entry(key).or_default().push((id, edge));
+            insert(self.edges.entry(key).or_default(), id, edge);
         }
         for face in Face::all() {
             let key = face_key(face.coefficients().map(|at| numbers[at]));
-            self.faces.entry(key).or_default().push((id, face));
+            insert(self.faces.entry(key).or_default(), id, face);
         }
-        self.numbers.push((id, numbers));
+        let at = self.numbers.partition_point(|(other, _)| *other < id);
+        self.numbers.insert(at, (id, numbers));
+    }
+
+    /// Drops a cell, if it is there.
+    pub fn remove(&mut self, id: CellId) {
+        fn drop<K: std::hash::Hash + Eq, P>(map: &mut HashMap<K, Vec<(CellId, P)>>, key: K, id: CellId) {
+            if let Some(list) = map.get_mut(&key) {
+                list.retain(|(other, _)| *other != id);
+                if list.is_empty() {
+                    map.remove(&key);
+                }
+            }
+        }
+        let Ok(at) = self.numbers.binary_search_by_key(&id, |(id, _)| *id) else { return };
+        let (_, numbers) = self.numbers.remove(at);
+        for corner in Corner::all() {
+            drop(&mut self.corners, numbers[corner.coefficient()], id);
+        }
+        for edge in Edge::all() {
+            drop(&mut self.edges, edge_key(edge.coefficients().map(|at| numbers[at])), id);
+        }
+        for face in Face::all() {
+            drop(&mut self.faces, face_key(face.coefficients().map(|at| numbers[at])), id);
+        }
+        numbers.into_iter().filter(|number| *number != INNER).for_each(|number| self.weld.release(number));
     }
 
     /// Distance within which control points are one.
@@ -175,17 +204,6 @@ impl Sharing {
     }
 }
 
-/// Length of the diagonal of the box of all control points; never zero.
-pub(super) fn size(body: &Body) -> f64 {
-    let (lo, hi) = body
-        .cells()
-        .iter()
-        .map(|(_, cell)| cell.net().bounds())
-        .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(lo, hi), (a, b)| (lo.min(a), hi.max(b)));
-    let diagonal = (hi - lo).length();
-    if diagonal.is_finite() && diagonal > 0.0 { diagonal } else { 1.0 }
-}
-
 /// The numbers of an edge in the direction that comes first.
 fn edge_key(numbers: [u32; 4]) -> [u32; 4] {
     let [a, b, c, d] = numbers;
@@ -240,6 +258,42 @@ mod tests {
         assert_eq!(sharing.at_edge(CellId(0), inner).len(), 4);
         assert_eq!(sharing.at_face(CellId(0), Face { axis: Axis::V, is_end: true }).len(), 2);
         assert!(sharing.at_face(CellId(99), Face { axis: Axis::V, is_end: true }).is_empty());
+    }
+
+    /// After any changes the parts are those that are found at once.
+    #[test]
+    fn changed_cells_are_found_anew() {
+        let mut body = block([3, 2, 2]);
+        let mut sharing = Sharing::new(&body);
+        let listed = |sharing: &Sharing, body: &Body| {
+            let faces = (sharing.shared_faces(), sharing.outer_faces());
+            let mut corners: Vec<_> = sharing.corners.values().cloned().collect();
+            let mut edges: Vec<_> = sharing.edges.values().cloned().collect();
+            corners.sort_unstable();
+            edges.sort_unstable();
+            (faces, corners, edges, sharing.contacts(body).len(), sharing.numbers.len())
+        };
+        for seed in 0..60_u64 {
+            let id = CellId((seed * 7 % 12) as u32);
+            sharing.remove(id);
+            if seed % 5 == 4 {
+                let _ = body.remove(id);
+            } else {
+                let place = DVec3::new((id.0 / 4) as f64, (id.0 / 2 % 2) as f64, (id.0 % 2) as f64);
+                let shift = if seed % 3 == 0 { DVec3::splat(0.25) } else { DVec3::ZERO };
+                let net = Net::cuboid(place + shift, place + 1.0);
+                let cell = Cell::uniform(net, &Composition::pure(0, 1)).unwrap();
+                if body.cell(id).is_some() {
+                    body.replace(id, cell).unwrap();
+                } else {
+                    body.add_as(id, cell).unwrap();
+                }
+                sharing.add(id, body.cell(id).unwrap().net());
+            }
+            assert_eq!(listed(&sharing, &body), listed(&Sharing::new(&body), &body), "{seed}");
+        }
+        body.cells().iter().for_each(|(id, _)| sharing.remove(*id));
+        assert!(sharing.corners.is_empty() && sharing.edges.is_empty() && sharing.faces.is_empty());
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 /// Numbers points so that those within the tolerance of an earlier one get its number.
 #[derive(Debug, Clone)]
-pub(super) struct Weld {
+pub(in crate::hyperpatch) struct Weld {
     tolerance: f64,
     /// A point nearby, from which cubes are counted.
     origin: DVec3,
@@ -13,32 +13,70 @@ pub(super) struct Weld {
     /// side of one.
     cubes: HashMap<[i64; 3], Vec<u32>>,
     points: Vec<DVec3>,
+    /// How often each number was given and not given back.
+    users: Vec<u32>,
+    /// Numbers that were given back.
+    free: Vec<u32>,
 }
 
 impl Weld {
-    pub(super) fn new(tolerance: f64, origin: DVec3) -> Self {
-        Self { tolerance, origin, cubes: HashMap::new(), points: Vec::new() }
+    pub(in crate::hyperpatch) fn new(tolerance: f64, origin: DVec3) -> Self {
+        let (points, users, free) = (Vec::new(), Vec::new(), Vec::new());
+        Self { tolerance, origin, cubes: HashMap::new(), points, users, free }
     }
 
-    /// The number of a point, which is the next one for a new point.
-    pub(super) fn number(&mut self, point: DVec3) -> u32 {
-        let width = self.tolerance * 8.0;
-        let cube = |p: DVec3| ((p - self.origin) / width).floor().to_array().map(|x| x as i64);
-        let (lo, hi) = (cube(point - self.tolerance), cube(point + self.tolerance));
+    /// The number of a point, which is one that no other point has for a new point.
+    pub(in crate::hyperpatch) fn number(&mut self, point: DVec3) -> u32 {
+        let number = self.find(point).unwrap_or_else(|| self.insert(point));
+        self.users[number as usize] += 1;
+        number
+    }
+
+    /// Gives a number back. When it was given back as often as it was given, there is no such point any more.
+    pub(super) fn release(&mut self, number: u32) {
+        let users = &mut self.users[number as usize];
+        *users = users.saturating_sub(1);
+        if *users > 0 {
+            return;
+        }
+        let cube = self.cube(self.points[number as usize]);
+        if let Some(list) = self.cubes.get_mut(&cube) {
+            list.retain(|other| *other != number);
+            if list.is_empty() {
+                self.cubes.remove(&cube);
+            }
+        }
+        self.free.push(number);
+    }
+
+    fn cube(&self, point: DVec3) -> [i64; 3] {
+        ((point - self.origin) / (self.tolerance * 8.0)).floor().to_array().map(|x| x as i64)
+    }
+
+    fn find(&self, point: DVec3) -> Option<u32> {
+        let (lo, hi) = (self.cube(point - self.tolerance), self.cube(point + self.tolerance));
         for x in lo[0]..=hi[0] {
             for y in lo[1]..=hi[1] {
                 for z in lo[2]..=hi[2] {
                     let near = self.cubes.get(&[x, y, z]).into_iter().flatten();
                     let is_near = |n: &&u32| self.points[**n as usize].distance(point) <= self.tolerance;
                     if let Some(number) = near.copied().find(|n| is_near(&n)) {
-                        return number;
+                        return Some(number);
                     }
                 }
             }
         }
-        let number = self.points.len() as u32;
-        self.points.push(point);
-        self.cubes.entry(cube(point)).or_default().push(number);
+        None
+    }
+
+    fn insert(&mut self, point: DVec3) -> u32 {
+        let number = self.free.pop().unwrap_or_else(|| {
+            self.points.push(point);
+            self.users.push(0);
+            self.points.len() as u32 - 1
+        });
+        self.points[number as usize] = point;
+        self.cubes.entry(self.cube(point)).or_default().push(number);
         number
     }
 }
@@ -59,5 +97,20 @@ mod tests {
             assert_ne!(weld.number(point + DVec3::X * 2e-9), number);
         }
         assert_eq!(weld.points.len(), 4000);
+    }
+
+    #[test]
+    fn numbers_that_are_given_back_are_given_again() {
+        let mut weld = Weld::new(1e-9, DVec3::ZERO);
+        let points = [0, 1, 2].map(|n| DVec3::splat(f64::from(n)));
+        let [a, b, _] = points.map(|point| weld.number(point));
+        assert_eq!(weld.number(points[1]), b);
+        weld.release(b);
+        assert_eq!(weld.number(points[1]), b, "still used");
+        weld.release(b);
+        weld.release(b);
+        assert_eq!(weld.number(DVec3::splat(9.0)), b);
+        assert_ne!(weld.number(points[1]), b);
+        assert_eq!(weld.number(points[0]), a);
     }
 }
