@@ -152,12 +152,13 @@ function row({ cells, materials, shares, rule, known }) {
 }
 
 /** @param {State} state */
-function amounts({ materials, known }) {
+function amounts({ cell, uvw, materials, known }) {
   const measures = known?.measures ?? null;
   const of = (/** @type {number} */ m) => measures && `${fixed(measures.amounts[m], 2)} (${fixed((100 * measures.amounts[m]) / measures.volume, 1)}\u00a0%)`;
   return pairs([
     { name: words.amounts.volume, value: measures && fixed(measures.volume, 2), key: "volume" },
     ...materials.map(({ name }, m) => ({ name: words.amounts.of(name), value: of(m), key: `amount-${m}` })),
+    ...materials.map(({ name }, m) => ({ name: words.amounts.here(name), value: `${fixed(100 * sampleAt(cell, uvw, materials.length).mix[m], 1)}\u00a0%`, key: `here-${m}` })),
   ]);
 }
 

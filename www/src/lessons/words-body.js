@@ -58,7 +58,7 @@ export const words = {
     none: "none found",
   },
   joints: { faces: "Faces between cells at the corner", shape: "C1 in shape", material: "C1 in material", moving: "Coefficients that move" },
-  gap: { t: "Distance from the corner, t", gap: "Gap", ratio: "Gap for twice the distance, as a multiple", none: "–" },
+  gap: { t: "Distance from the corner, t", gap: "Gap", ratio: "The one above, as a multiple", none: "–" },
   row: {
     picture: (/** @type {string} */ name) => `Fraction of ${name} along the row: coefficients and curve`,
     before: "Before the joint",
@@ -68,5 +68,5 @@ export const words = {
     joint: "The material at the joint is",
     kinds: { none: "torn apart", C0: "joined with a kink (C0)", C1: "smooth (C1)" },
   },
-  amounts: { volume: "Volume", of: (/** @type {string} */ name) => `Amount of ${name}` },
+  amounts: { volume: "Volume", of: (/** @type {string} */ name) => `Amount of ${name}`, here: (/** @type {string} */ name) => `Fraction of ${name} at the place` },
 };
