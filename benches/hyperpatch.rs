@@ -151,7 +151,7 @@ fn drags(criterion: &mut Criterion) {
             let key = DocumentKey { head: String::new(), operations: vec![0, frame] };
             let known = memory.keep(key, model);
             let certified = BodyJob::new(Rc::clone(&known), BodyAsk::Verdicts { is_global: false }).run();
-            let ask = BodyAsk::Surface { tolerance: None, since: Some(since) };
+            let ask = BodyAsk::Surface { tolerance: None, has_inner: false, since: Some(since) };
             let surface = BodyJob::new(known, ask).run();
             if let Some(Answer::Surface(surface, _)) = &surface {
                 since = surface.id;

@@ -903,11 +903,8 @@ export interface Hyperpatch {
   amounts(): number[];
   /** `steps` along each axis of a cell, 1 to 64, default 8. */
   section(plane: { normal: Triple; offset?: number; point?: Triple }, options?: { steps?: number }): BodySection;
-  /**
-   * Default of the chord tolerance: a thousandth of the diagonal of the body. With `faces: "all"` the faces between cells follow, once for each cell;
-   * then the surface is a whole one, whatever `since` says.
-   */
-  surface(options?: { tolerance?: number; since?: number; faces?: "outer" | "all" }): BodySurface;
+  /** Default of the chord tolerance: a thousandth of the diagonal of the body. With `faces: "all"` the faces between cells follow, once for each cell. */
+  surface(options?: { tolerance?: number; faces?: "outer" | "all"; since?: number }): BodySurface;
   /** null outside; on what several cells share the one with the lowest number answers. */
   probe(point: Triple): { cell: number; uvw: Triple; mix: number[] } | null;
   relations(): CellRelation[];

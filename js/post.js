@@ -68,6 +68,8 @@ const lengthOf = ({ text, cells = [] }) => cells.reduce((sum, cell) => sum + cel
  */
 export function received(argument) {
   if (argument?.posted !== "hyperpatch") return undefined;
+  // On one thread nobody has received it before.
+  receive(argument);
   const { head, keys, apart } = /** @type {Posted} */ (argument);
   return { head, keys, apart, write: (place) => take(keys[place]), known: () => keys.forEach(drop) };
 }

@@ -78,6 +78,35 @@ impl Net {
         a.cross(b).dot(c)
     }
 
+    /// The Jacobian determinant on a grid of at least two places along each axis, ends included; w runs fastest. Sums that places have in common
+    /// are formed once.
+    #[must_use]
+    pub fn jacobians(&self, count: usize) -> Vec<f64> {
+        let place = |n: usize| n as f64 / (count.max(2) - 1) as f64;
+        let weights: Vec<[[f64; 4]; 2]> =
+            (0..count).map(|n| [cubic(place(n)), cubic_slope(place(n))]).collect();
+        let sum = |values: [DVec3; 4], weights: &[f64; 4]| -> DVec3 {
+            values.into_iter().zip(weights).map(|(value, weight)| value * *weight).sum()
+        };
+        let mut found = Vec::with_capacity(count.pow(3));
+        for u in &weights {
+            let layers: [[DVec3; 16]; 2] = u
+                .each_ref()
+                .map(|u| std::array::from_fn(|n| sum([0, 1, 2, 3].map(|i| self.0[16 * i + n]), u)));
+            for v in &weights {
+                let lines: [[DVec3; 4]; 3] = [(1, 0), (0, 1), (0, 0)].map(|(along_u, along_v)| {
+                    let layer = &layers[along_u];
+                    std::array::from_fn(|n| sum([0, 1, 2, 3].map(|j| layer[4 * j + n]), &v[along_v]))
+                });
+                for [value, slope] in &weights {
+                    let [a, b] = [sum(lines[0], value), sum(lines[1], value)];
+                    found.push(a.cross(b).dot(sum(lines[2], slope)));
+                }
+            }
+        }
+        found
+    }
+
     /// The two parts on either side of `t` along an axis, each on the unit cube.
     #[must_use]
     pub fn split(&self, axis: Axis, t: f64) -> [Self; 2] {
@@ -243,6 +272,16 @@ mod tests {
                 assert!((part.point(at) - net.point(lo + at * (hi - lo))).length() < 1e-14);
             }
         }
+    }
+
+    #[test]
+    fn a_grid_of_jacobians_is_that_of_its_places() {
+        let net = random_net(4, 0.2);
+        for (n, found) in net.jacobians(5).into_iter().enumerate() {
+            let at = DVec3::new((n / 25) as f64, (n / 5 % 5) as f64, (n % 5) as f64) / 4.0;
+            assert!((net.jacobian(at) - found).abs() < 1e-12, "{at}");
+        }
+        assert_eq!(net.jacobians(2).len(), 8);
     }
 
     #[test]

@@ -5,6 +5,8 @@
 
 #[cfg(feature = "amounts")]
 mod amounts;
+#[cfg(feature = "hyperpatch")]
+mod answers;
 #[cfg(feature = "edit")]
 mod edit;
 mod engine;

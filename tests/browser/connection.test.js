@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { root } from "../../scripts/lib/paths.mjs";
+import { presets } from "../../scripts/hyperpatch-presets.mjs";
 import { base } from "../node/hostile.js";
 import { launch, withPage } from "./support/browser.js";
 import { serve } from "./support/server.js";
@@ -80,5 +81,46 @@ test("a call tells how long it was solved, and that a remembered document is not
     const [first, again, other] = found;
     for (const { spent, all } of found) assert.ok(spent >= 0 && spent <= all + 1, `${spent} of ${all} ms`);
     assert.ok(first.spent > 4 * again.spent && other.spent > 4 * again.spent, JSON.stringify(found));
+  });
+});
+
+test("a body follows its operations over the worker, and a call that is given up loses none of them", async () => {
+  await withPage(browser, { allow: /favicon|404/ }, async (page) => {
+    await page.goto(`${served.url}index.js`);
+    const found = await page.evaluate(
+      async ([address, document]) => {
+        const { connect, renewSurface } = await import(/** @type {string} */ (address));
+        const dx = await connect({ module: "full" });
+        const edited = (/** @type {any} */ one, /** @type {any} */ operation) => ({ ...one, operations: [...one.operations, operation] });
+        // The first call, which brings all cells, is given up before its turn.
+        const control = new AbortController();
+        const given = dx.hyperpatch(document, { signal: control.signal }).catch((/** @type {Error} */ error) => error.name);
+        control.abort();
+        const body = await dx.hyperpatch(document);
+        const surface = await body.surface();
+        const moved = edited(document, { op: "move", cell: 0, at: [3, 3, 3], by: [0.05, 0, 0] });
+        const next = await dx.hyperpatch(moved);
+        const ranges = renewSurface(surface, await next.surface({ since: surface.id }));
+        const gone = await dx.hyperpatch(edited(moved, { op: "delete", cells: [99] }));
+        const merged = await dx.merge(moved, document);
+        const verdicts = await next.verdicts({ global: false });
+        const refusal = await dx.hyperpatch(edited(moved, { op: "melt" })).catch((/** @type {any} */ error) => `${error.code} ${error.path}`);
+        dx.close();
+        return {
+          given: await given,
+          cells: body.cells.length,
+          touched: next.operations[1].touched.length,
+          ranges: ranges?.vertices.length,
+          reason: gone.operations[2].reason,
+          merged: merged.operations.length,
+          verdicts: verdicts.length,
+          refusal,
+        };
+      },
+      /** @type {const} */ ([`${served.url}index.js`, presets().block]),
+    );
+    const { ranges, reason, ...rest } = found;
+    assert.deepEqual(rest, { given: "AbortError", cells: 8, touched: 8, merged: 3, verdicts: 8, refusal: "range operations[2].op" });
+    assert.ok(ranges > 0 && /no cell 99/.test(reason));
   });
 });

@@ -4,11 +4,14 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { load } from "directrix";
 import { root } from "../../scripts/lib/paths.mjs";
+import { drawnBounds, drawnPositions, shiftsOf } from "../../www/src/hyperpatch/apart.js";
 import { edgeSegments, sampleAt } from "../../www/src/hyperpatch/cell.js";
 import { labsFor, relativeJacobian, viridis } from "../../www/src/hyperpatch/colors.js";
 import { cellsOf } from "../../www/src/hyperpatch/document.js";
 import { coefficientsAt, moveCorner } from "../../www/src/hyperpatch/edits.js";
+import { jointsOf } from "../../www/src/hyperpatch/joints.js";
 import { isBody } from "../../www/src/hyperpatch/kind.js";
+import { neighboursOf } from "../../www/src/hyperpatch/neighbours.js";
 import { boundsOf, neighbour, sharedCorner } from "../../www/src/hyperpatch/state.js";
 
 /** @param {string} name */
@@ -99,4 +102,66 @@ test("kinds and boxes", () => {
   assert.equal(isBody(block), true);
   assert.equal(isBody({ kind: "curves" }), false);
   assert.deepEqual(boundsOf([1, 2, 3, -1, 5, 0]), { min: [-1, 2, 0], max: [1, 5, 3] });
+});
+
+test("cells drawn apart keep their shape, and no two of a block touch any more", () => {
+  const body = dx.hyperpatch(block);
+  const surface = body.surface({ faces: "all" });
+  const bounds = boundsOf(surface.positions);
+  const shifts = shiftsOf(body.cells, bounds);
+  const drawn = drawnPositions(surface, shifts, 0.5);
+  assert.equal(drawnPositions(surface, shifts, 0), surface.positions);
+  const boxes = body.cells.map(({ id }) => boundsOf(Array.from(surface.cells).flatMap((cell, n) => (cell === id ? [...drawn.subarray(3 * n, 3 * n + 3)] : []))));
+  for (const { min, max } of boxes) assert.ok([0, 1, 2].every((k) => Math.abs(max[k] - min[k] - 1) < 1e-6));
+  for (const [n, a] of boxes.entries()) {
+    for (const b of boxes.slice(n + 1)) assert.ok([0, 1, 2].some((k) => a.max[k] < b.min[k] - 0.2 || b.max[k] < a.min[k] - 0.2));
+  }
+  const [around, whole] = [drawnBounds(bounds, shifts, 0.5), boundsOf(drawn)];
+  assert.ok([0, 1, 2].every((k) => around.min[k] <= whole.min[k] + 1e-6 && around.max[k] >= whole.max[k] - 1e-6));
+});
+
+test("a corner has seven neighbours in a cell, and 26 where eight cells meet", () => {
+  const cells = cellsOf(block);
+  const { corners } = dx.hyperpatch(block).sharing();
+  const counts = new Map(corners.map(({ sides }) => [sides.length, neighboursOf(sides, (id) => cells[id], false)]));
+  for (const [users, points, lines] of [[1, 7, 12], [2, 11, 20], [4, 17, 33], [8, 26, 54]]) {
+    const found = counts.get(users);
+    assert.deepEqual([found?.points.length, found?.lines.length], [points, lines], `${users} cells`);
+  }
+  const inner = corners.find(({ sides }) => sides.length === 8);
+  assert.equal(neighboursOf(inner?.sides ?? [], (id) => cells[id], true).points.length, 56);
+});
+
+test("how cells continue each other is drawn from what the kernel says of their corners", () => {
+  const of = (/** @type {any} */ document, /** @type {"shape" | "material"} */ aspect) => {
+    const body = dx.hyperpatch(document);
+    const cells = cellsOf(document);
+    return { body, joints: jointsOf(body.continuity(), body.sharing(), (id) => cells[id], aspect) };
+  };
+  const { joints: smooth, body } = of(block, "shape");
+  assert.deepEqual(smooth.counts, { C1: 48, C0: 0, none: 0, contacts: 0, gap: 0 });
+  assert.equal(smooth.lines.length, 0);
+  body.sharing().corners.forEach(({ sides }, n) => assert.equal(smooth.signs[n], sides.length > 1 ? 1 : 0));
+  // A corner that moves alone: its faces have creases there, and lines lie on the halves of the curves that end in it.
+  const inner = body.sharing().corners.find(({ sides }) => sides.length === 8);
+  const { joints } = of(moveCorner(block, inner?.sides ?? [], [0.1, 0.05, 0], "corner"), "shape");
+  assert.equal(joints.counts.C0, 12);
+  assert.equal(joints.lines.filter(({ isFirst }) => isFirst).length, 6 * 8);
+  // Faces that part between their corners.
+  const pair = { ...block, operations: [{ op: "cells", cells: cellsOf(block).slice(0, 2) }] };
+  const bent = structuredClone(pair);
+  const [{ corner }] = dx.hyperpatch(pair).sharing().faces.filter(({ sides }) => sides.length > 1).map(({ sides }) => ({ corner: sides[0].face }));
+  const axis = "uvw".indexOf(corner[0]);
+  for (const [n, coefficient] of cellsOf(/** @type {any} */ (bent))[0].coefficients.entries()) {
+    const at = [n >> 4, (n >> 2) & 3, n & 3];
+    if (at[axis] !== (corner[1] === "1" ? 3 : 0)) continue;
+    const others = at.filter((_, k) => k !== axis);
+    // Of the sixteen points of the face one corner's block stays where it was.
+    if (!others.every((index) => index < 2)) coefficient.position[axis] += corner[1] === "1" ? -0.2 : 0.2;
+  }
+  const { joints: parted } = of(bent, "shape");
+  assert.equal(parted.counts.contacts, 1);
+  assert.ok(parted.counts.gap > 0.15 && parted.counts.gap < 0.25, `${parted.counts.gap}`);
+  const ties = parted.lines.map(({ points }) => Math.hypot(points[0] - points[3], points[1] - points[4], points[2] - points[5]));
+  assert.ok(Math.max(...ties) > 0.15 && Math.max(...ties) <= parted.counts.gap + 1e-9);
 });

@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { DirectrixError, load, renewSurface } from "directrix";
-import { receive } from "../../js/post.js";
 import { body as remoteBody, merge as remoteMerge } from "../../js/remote-body.js";
 import { inTurns } from "../../js/turns.js";
 import { presets } from "../../scripts/hyperpatch-presets.mjs";
@@ -192,7 +191,6 @@ function connection() {
       client.brought.push(document.written.length);
       if (client.forgets) document.written = [];
       client.forgets = false;
-      receive(document);
       const call = { name: /** @type {any} */ (name), args: [document, question] };
       const found = await inTurns(dx, call, { isWanted: () => true, onprogress: () => {} });
       return found?.value;

@@ -4,7 +4,8 @@ import { test } from "node:test";
 import { load } from "directrix";
 import { axesOf, dragged, eyeOf, FIELD, fitted, middleOf, panned, rayAt, seenAt, STANDARD, turned, zoomed } from "../../www/src/space/camera.js";
 import { labsOf, srgbOf } from "../../www/src/space/colors.js";
-import { moveOf } from "../../www/src/space/keys.js";
+import { heldAt, onSteps } from "../../www/src/space/gizmo.js";
+import { groundStep, moveOf } from "../../www/src/space/keys.js";
 import { segmentsOf, thinned } from "../../www/src/space/lines.js";
 import { firstHit } from "../../www/src/space/pick.js";
 import { cutOf, extentAlong } from "../../www/src/space/plane.js";
@@ -215,4 +216,43 @@ test("what is read on a cone is what the kernel says of the place", async () => 
   const cut = { ...shown, planes: [{ normal: /** @type {Vector} */ ([0, 0, -1]), offset: -6 }] };
   assert.equal(readingAt(solid, { from: [0, 1, 50], along: [0, 0, -1] }, cut), "inside");
   assert.equal(readingAt(solid, { from: [20, 20, 50], along: [0, 0, -1] }, shown), null);
+});
+
+test("a gizmo moves a point along what it is held by, under the pointer", () => {
+  /** @type {Frame} */
+  const frame = { size: { width: 800, height: 600 }, top: 0, bottom: 0 };
+  const camera = { target: /** @type {Vector} */ ([1, 2, 3]), azimuth: -50, elevation: 25, distance: 9 };
+  const { back } = axesOf(camera);
+  const start = /** @type {Vector} */ ([0.5, 2.2, 2.7]);
+  for (const [part, goal] of /** @type {const} */ ([
+    ["x", [1.7, 2.2, 2.7]],
+    ["y", [0.5, 1.1, 2.7]],
+    ["z", [0.5, 2.2, 3.9]],
+    ["xy", [0.1, 2.9, 2.7]],
+    ["xz", [1.3, 2.2, 3.1]],
+    ["yz", [0.5, 2.6, 2]],
+  ])) {
+    // The pointer goes where the goal is seen.
+    const found = heldAt(part, start, back, rayAt(camera, frame, seenAt(camera, frame, goal).at));
+    assert.ok(found && Math.hypot(...subtract(found, goal)) < 1e-9, part);
+  }
+  const aside = heldAt("view", start, back, rayAt(camera, frame, [300, 200]));
+  assert.ok(aside && Math.abs(dot(subtract(aside, start), back)) < 1e-9, "across the view");
+  // An axis that is seen from its end tells nothing.
+  assert.equal(heldAt("x", start, [1, 0, 0], { from: [9, 2, 3], along: [-1, 0, 0] }), null);
+  assert.deepEqual(onSteps([0.52, 2.2, 2.81], [0.5, 2.2, 2.7], 0.25), [0.5, 2.2, 2.75]);
+});
+
+test("arrow keys move over the ground as it is seen, Home and End up and down", () => {
+  assert.deepEqual(groundStep("ArrowRight", STANDARD.front.azimuth), [1, 0, 0]);
+  assert.deepEqual(groundStep("ArrowUp", STANDARD.front.azimuth), [0, 1, 0]);
+  assert.deepEqual(groundStep("ArrowRight", STANDARD.side.azimuth), [0, 1, 0]);
+  assert.deepEqual(groundStep("ArrowUp", STANDARD.side.azimuth), [-1, 0, 0]);
+  assert.deepEqual([groundStep("Home", 33), groundStep("End", 33), groundStep("a", 33)], [[0, 0, 1], [0, 0, -1], null]);
+  for (let azimuth = -180; azimuth <= 180; azimuth += 7) {
+    const { right, back } = axesOf({ azimuth, elevation: 30 });
+    const [across, away] = [groundStep("ArrowRight", azimuth), groundStep("ArrowUp", azimuth)];
+    assert.ok(across && away && dot(across, away) === 0);
+    assert.ok(dot(across, right) > 0.7 && dot(away, back) < -0.6, `${azimuth}`);
+  }
 });

@@ -353,10 +353,10 @@ export class BodyScene {
  */
 function asked(kernel, text, control) {
   if (kernel.runsIn !== "main thread") return kernel.call("hyperpatch", [text], control);
-  const send = (/** @type {any[]} */ args) => {
+  const call = (/** @type {"hyperpatch"} */ name, /** @type {any[]} */ args) => {
     const last = args.at(-1);
     const hasControl = args.length > 2 && typeof last === "object" && last !== null && isControl(last);
-    return kernel.call("hyperpatch", args.slice(0, 2), hasControl ? /** @type {Control} */ (last) : undefined);
+    return kernel.call(name, args.slice(0, 2), hasControl ? /** @type {Control} */ (last) : undefined);
   };
-  return remoteBody(send, text, control);
+  return remoteBody({ call }, text, control);
 }

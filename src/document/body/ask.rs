@@ -79,10 +79,10 @@ pub enum BodyAsk {
     Surface {
         /// Chord tolerance; without one a thousandth of the size of the body.
         tolerance: Option<f64>,
-        /// The number of an earlier surface, of which only differences are wanted; with the faces between cells a whole one is made.
-        since: Option<u32>,
         /// Whether the faces between cells follow, once for each cell.
         has_inner: bool,
+        /// The number of an earlier surface, of which only differences are wanted.
+        since: Option<u32>,
     },
     /// Cell, parameters and composition at a point.
     Probe(DVec3),
@@ -163,13 +163,14 @@ impl BodyAsk {
                 }
             }
             "surface" => {
-                known(&["tolerance", "since", "faces"])?;
-                let option = |name| options.as_ref().map_or(Ok(None), |options: &Node<'_>| options.get(name));
+                known(&["tolerance", "faces", "since"])?;
+                let option = |name| options.as_ref().map_or(Ok(None), |options| options.get(name));
+                let faces = option("faces")?;
+                let has_inner = faces.map_or(Ok(0), |node| node.choice(&["outer", "all"]))? == 1;
                 let since = option("since")?.map(|node| node.count()).transpose()?;
-                let has_inner = option("faces")?.map_or(Ok(0), |node| node.choice(&["outer", "all"]))? == 1;
                 // What is no number of a surface is that of one that is not known.
                 let since = since.map(|id| u32::try_from(id).unwrap_or(0));
-                Self::Surface { tolerance: tolerance()?, since, has_inner }
+                Self::Surface { tolerance: tolerance()?, has_inner, since }
             }
             "probe" => Self::Probe(triple(&root.need("point")?, -LARGEST_COORDINATE, LARGEST_COORDINATE)?),
             "relations" => Self::Relations,

@@ -195,7 +195,7 @@ impl BodyJob {
             },
             Work::Resurfacing(mut job) => match job.step(&self.known, may_go_on) {
                 Resurfaced::Open => Work::Resurfacing(job),
-                Resurfaced::Unlike => self.meshing(self.tolerance(), false),
+                Resurfaced::Unlike => self.meshing(),
                 Resurfaced::Done(done) => {
                     let (painted, boundary, renewal) = *done;
                     self.surfaced(painted, boundary, Some(renewal))
@@ -269,15 +269,12 @@ impl BodyJob {
                 Ok(job) => Work::Cutting(Box::new(job)),
                 Err(_) => Work::Done(None),
             },
-            BodyAsk::Surface { tolerance, since: Some(since), has_inner: false } => {
-                let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance);
-                job.map_or_else(
-                    || self.meshing(self.tolerance(), false),
-                    |job| Work::Resurfacing(Box::new(job)),
-                )
+            BodyAsk::Surface { tolerance, has_inner, since: Some(since) } => {
+                let faces = self.faces(has_inner);
+                let job = Resurfacing::new(known, &known.surfaces.borrow(), since, tolerance, &faces);
+                job.map_or_else(|| self.meshing(), |job| Work::Resurfacing(Box::new(job)))
             }
-            BodyAsk::Surface { has_inner, .. } => self.meshing(self.tolerance(), has_inner),
-            BodyAsk::File { format: BodyFormat::Surface(_), .. } => self.meshing(self.tolerance(), false),
+            BodyAsk::Surface { .. } | BodyAsk::File { format: BodyFormat::Surface(_), .. } => self.meshing(),
             BodyAsk::File { format: BodyFormat::Vtk, .. } => {
                 Work::Gridding(Box::new(VtkJob::new(known.held(), &self.labels().materials)))
             }
@@ -356,8 +353,9 @@ impl BodyJob {
         Work::Done(kept.map(|surface| Answer::Surface(surface, renewal)))
     }
 
-    fn meshing(&self, tolerance: f64, has_inner: bool) -> Work {
-        let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
+    /// The faces of a surface: the outer ones, and after them those between cells, once for each cell.
+    fn faces(&self, has_inner: bool) -> Vec<(CellId, Face)> {
+        let Some(sharing) = self.known.sharing.get() else { return Vec::new() };
         let mut faces = sharing.outer_faces();
         if has_inner {
             let outer: HashSet<_> = faces.iter().copied().collect();
@@ -365,6 +363,13 @@ impl BodyJob {
             let all = cells.iter().flat_map(|(id, _)| Face::all().map(|face| (*id, face)));
             faces.extend(all.filter(|side| !outer.contains(side)));
         }
+        faces
+    }
+
+    fn meshing(&self) -> Work {
+        let Some(sharing) = self.known.sharing.get() else { return Work::Done(None) };
+        let has_inner = matches!(self.ask, BodyAsk::Surface { has_inner: true, .. });
+        let (faces, tolerance) = (self.faces(has_inner), self.tolerance());
         let job = Tessellation::new(self.known.held(), Rc::clone(sharing), faces, tolerance);
         job.map_or(Work::Done(None), |job| Work::Meshing(Box::new(job)))
     }
@@ -520,7 +525,7 @@ mod tests {
         let known = known(&mut memory, &text(0.0));
         let job = BodyJob::new(
             Rc::clone(&known),
-            BodyAsk::Surface { tolerance: None, since: None, has_inner: false },
+            BodyAsk::Surface { tolerance: None, has_inner: false, since: None },
         );
         let Some(Answer::Surface(surface, None)) = job.run() else { panic!("a surface was asked for") };
         let (painted, boundary) = (&surface.painted, &surface.boundary);
@@ -537,20 +542,24 @@ mod tests {
         assert!(place.map(|place: DVec3| place.x).all(|x| x == 1.0));
 
         // With the faces between cells, which follow the outer ones, every face of every cell is there, and the curves are the same.
-        let ask = BodyAsk::Surface { tolerance: None, since: Some(surface.id), has_inner: true };
-        let Some(Answer::Surface(all, None)) = BodyJob::new(Rc::clone(&known), ask).run() else {
-            panic!("a surface was asked for")
-        };
-        let (whole, curves) = (&all.painted, &all.boundary);
-        assert_eq!((painted.stretches.len(), whole.stretches.len()), (10, 12));
-        assert!(
-            painted.stretches.iter().zip(&whole.stretches).all(|(a, b)| (a.cell, a.face) == (b.cell, b.face))
+        let job = BodyJob::new(
+            Rc::clone(&known),
+            BodyAsk::Surface { tolerance: None, has_inner: true, since: None },
         );
+        let Some(Answer::Surface(whole, None)) = job.run() else { panic!("a surface was asked for") };
+        assert_eq!((painted.stretches.len(), whole.painted.stretches.len()), (10, 12));
         assert!(
-            whole.stretches[10..]
+            painted
+                .stretches
                 .iter()
-                .all(|inner| whole.positions[inner.vertices.clone()].iter().all(|p| p.x == 1.0))
+                .zip(&whole.painted.stretches)
+                .all(|(a, b)| (a.cell, a.face) == (b.cell, b.face))
         );
-        assert_eq!((curves.edges.len(), curves.corners.len()), (20, 12));
+        assert!(
+            whole.painted.stretches[10..]
+                .iter()
+                .all(|inner| whole.painted.positions[inner.vertices.clone()].iter().all(|p| p.x == 1.0))
+        );
+        assert_eq!((whole.boundary.edges.len(), whole.boundary.corners.len()), (20, 12));
     }
 }

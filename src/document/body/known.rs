@@ -6,7 +6,6 @@ use crate::hyperpatch::composite::{Body, CellId, Probe, Relation, Sharing};
 use crate::hyperpatch::validity::Report;
 use crate::hyperpatch::{Cell, Jacobian};
 use crate::material::{Material, Oklab};
-use glam::DVec3;
 use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::ops::Deref;
@@ -161,8 +160,8 @@ impl KnownBody {
     fn find_least(&self, id: CellId, report: &Report) -> f64 {
         let Some(cell) = self.model.body().cell(id) else { return report.certificate.upper };
         let sign = if report.is_mirrored { -1.0 } else { 1.0 };
-        let place = |n: usize| DVec3::new((n / 25) as f64, (n / 5 % 5) as f64, (n % 5) as f64) / 4.0;
-        (0..125).map(|n| sign * cell.net().jacobian(place(n))).fold(report.certificate.upper, f64::min)
+        let found = cell.net().jacobians(5).into_iter().map(|jacobian| sign * jacobian);
+        found.fold(report.certificate.upper, f64::min)
     }
 
     /// Volume of a cell; negative where it is mirrored.

@@ -93,16 +93,18 @@ pub(super) enum Resurfaced {
 }
 
 impl Resurfacing {
-    /// The job, or `None` when the earlier surface is not known any more, was made to another tolerance, or has other faces.
+    /// The job for the surface of some faces, or `None` when the earlier one is not known any more, was made to another tolerance, or has other
+    /// faces.
     pub(super) fn new(
         known: &KnownBody,
         surfaces: &Surfaces,
         since: u32,
         tolerance: Option<f64>,
+        faces: &[(CellId, Face)],
     ) -> Option<Self> {
         let old = surfaces.find(since).filter(|old| old.tolerance == tolerance)?;
         let sharing = known.sharing.get()?;
-        let (body, faces) = (known.held(), sharing.outer_faces());
+        let body = known.held();
         let segments: Vec<(CellId, Face, [usize; 4])> = old
             .painted
             .stretches
@@ -110,7 +112,7 @@ impl Resurfacing {
             .filter_map(|stretch| Some((stretch.cell, stretch.face?, stretch.segments)))
             .collect();
         let is_alike = segments.len() == faces.len()
-            && segments.iter().zip(&faces).all(|((cell, face, _), other)| (*cell, *face) == *other)
+            && segments.iter().zip(faces).all(|((cell, face, _), other)| (*cell, *face) == *other)
             && old.body.materials() == body.materials();
         if !is_alike {
             return None;
@@ -274,7 +276,7 @@ mod tests {
     }
 
     fn surface(known: &Rc<KnownBody>, since: Option<u32>) -> (Rc<KnownSurface>, Option<Renewal>) {
-        let ask = BodyAsk::Surface { tolerance: Some(0.02), since };
+        let ask = BodyAsk::Surface { tolerance: Some(0.02), has_inner: false, since };
         match BodyJob::new(Rc::clone(known), ask).run() {
             Some(Answer::Surface(surface, renewal)) => (surface, renewal),
             other => panic!("a surface was asked for: {other:?}"),
@@ -351,7 +353,7 @@ mod tests {
         let (second, renewal) = surface(&known(&mut memory, &operations), Some(first.id));
         assert!(renewal.is_none() && second.painted.stretches != first.painted.stretches);
         let body = known(&mut memory, &operations);
-        let ask = BodyAsk::Surface { tolerance: None, since: Some(second.id) };
+        let ask = BodyAsk::Surface { tolerance: None, has_inner: false, since: Some(second.id) };
         let Some(Answer::Surface(_, renewal)) = BodyJob::new(body, ask).run() else { panic!("a surface") };
         assert!(renewal.is_none());
     }

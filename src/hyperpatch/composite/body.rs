@@ -158,8 +158,10 @@ impl Body {
     /// passed over.
     pub(in crate::hyperpatch) fn remove_all(&mut self, ids: &[CellId]) {
         ids.iter().for_each(|id| self.marks.forget(*id));
-        self.cells.retain(|(id, _)| ids.binary_search(id).is_err());
-        self.boxes = self.cells.iter().map(|(_, cell)| cell.net().bounds()).collect();
+        let is_kept: Vec<bool> = self.cells.iter().map(|(id, _)| ids.binary_search(id).is_err()).collect();
+        let (mut cells, mut boxes) = (is_kept.iter(), is_kept.iter());
+        self.cells.retain(|_| cells.next() == Some(&true));
+        self.boxes.retain(|_| boxes.next() == Some(&true));
     }
 
     /// Adds all cells of another body, in their order and with their marks, and returns their new identifiers.

@@ -98,7 +98,15 @@ fn check_outer(body: &Body, faces: &[(CellId, Face)]) -> Result<(), OperationErr
     let mut users: HashMap<[u32; 4], Vec<(CellId, Face)>> = HashMap::new();
     let mut keys = HashMap::new();
     let wanted: HashSet<&(CellId, Face)> = faces.iter().collect();
-    for (id, cell) in body.cells() {
+    let points = |(id, face): (CellId, Face)| body.cell(id).map(|cell| cell.net().face(face));
+    let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for point in faces.iter().filter_map(|side| points(*side)).flatten() {
+        (lo, hi) = (lo.min(point - tolerance), hi.max(point + tolerance));
+    }
+    for ((id, cell), bounds) in body.cells().iter().zip(body.boxes()) {
+        if !(bounds.0.cmple(hi).all() && lo.cmple(bounds.1).all()) {
+            continue;
+        }
         let numbers = cell.net().corners().map(|point| weld.number(point));
         for face in Face::all() {
             let corners = Corner::all().into_iter().zip(numbers);
@@ -112,7 +120,6 @@ fn check_outer(body: &Body, faces: &[(CellId, Face)]) -> Result<(), OperationErr
             }
         }
     }
-    let points = |(id, face): (CellId, Face)| body.cell(id).map(|cell| cell.net().face(face));
     for &side in faces {
         let (Some(key), Some(here)) = (keys.get(&side), points(side)) else { continue };
         let is_here = |point: &DVec3| here.iter().any(|p| p.distance(*point) <= tolerance);

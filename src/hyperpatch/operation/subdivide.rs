@@ -2,10 +2,10 @@
 
 use super::draft::{identifiers, settle};
 use super::{Change, OperationError};
-use crate::hyperpatch::composite::{Body, BodyError, CellId, MOST_CELLS, Mark, Marks, Side, Weld};
+use crate::hyperpatch::composite::{Body, BodyError, CellId, MOST_CELLS, Mark, Marks, Side};
 use crate::hyperpatch::{Axis, Cell, CellError, Edge};
 use glam::DVec3;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashSet};
 
 /// How a cell lies in the sheet: the axis that it is cut across, and whether the axis runs against that of the first
 /// cell.
@@ -68,7 +68,7 @@ fn sheet(body: &Body, cell: CellId, axis: Axis, t: f64) -> Result<BTreeMap<CellI
         return Err(BodyError::Unknown { id: cell }.into());
     }
     let tolerance = body.tolerance();
-    let mut edges = Edges::new(body);
+    let mut edges = Edges::default();
     let mut sheet = BTreeMap::from([(cell, (axis, false))]);
     let mut queue = vec![cell];
     while let Some(id) = queue.pop() {
@@ -98,60 +98,41 @@ fn sheet(body: &Body, cell: CellId, axis: Axis, t: f64) -> Result<BTreeMap<CellI
     Ok(sheet)
 }
 
-/// Edges of all cells by the numbers of their ends, until they are taken.
+/// Edges that a sheet has gone through.
+#[derive(Default)]
 struct Edges {
-    /// Numbers of the corners of each cell, in the order of the body.
-    corners: Vec<[u32; 8]>,
-    edges: HashMap<[u32; 2], Vec<(usize, Edge)>>,
+    /// Places of cells in the order of the body, with their edges.
+    taken: HashSet<(usize, Edge)>,
 }
 
 impl Edges {
-    fn new(body: &Body) -> Self {
-        let origin = body.cells().first().map_or(DVec3::ZERO, |(_, cell)| cell.net().0[0]);
-        let mut weld = Weld::new(body.tolerance(), origin);
-        let mut edges: HashMap<[u32; 2], Vec<(usize, Edge)>> = HashMap::new();
-        let mut corners = Vec::with_capacity(body.cells().len());
-        for (index, (_, cell)) in body.cells().iter().enumerate() {
-            let numbers = cell.net().corners().map(|point| weld.number(point));
-            for edge in Edge::all() {
-                edges.entry(ends(&numbers, edge)).or_default().push((index, edge));
-            }
-            corners.push(numbers);
-        }
-        Self { corners, edges }
-    }
-
-    /// Takes out what lies on an edge of a cell, that one included: cells, axes along which their edges run, and
-    /// whether they run the other way. What was taken out before is not found again.
+    /// Takes what lies on an edge of a cell, that one included: cells, axes along which their edges run, and whether
+    /// they run the other way. What was taken before is not found again, so that equal edges are looked for once.
     fn take(&mut self, body: &Body, id: CellId, edge: Edge, tolerance: f64) -> Vec<(CellId, Axis, bool)> {
         let Ok(index) = body.cells().binary_search_by_key(&id, |(id, _)| *id) else { return Vec::new() };
+        if self.taken.contains(&(index, edge)) {
+            return Vec::new();
+        }
         let points = body.cells()[index].1.net().edge(edge);
-        let Some(list) = self.edges.get_mut(&ends(&self.corners[index], edge)) else { return Vec::new() };
+        let (lo, hi) = (points[0].min(points[3]) + tolerance, points[0].max(points[3]) - tolerance);
         let is_one = |a: DVec3, b: DVec3| a.distance(b) <= tolerance;
-        let mut taken = Vec::new();
-        list.retain(|(index, edge)| {
-            let (id, cell) = &body.cells()[*index];
-            let other = cell.net().edge(*edge);
-            let runs_on = (0..4).all(|n| is_one(points[n], other[n]));
-            let is_on = runs_on || (0..4).all(|n| is_one(points[n], other[3 - n]));
-            if is_on {
-                taken.push((*id, edge.axis, !runs_on));
+        let mut found = Vec::new();
+        for (index, bounds) in body.boxes().iter().enumerate() {
+            if !(bounds.0.cmple(lo).all() && hi.cmple(bounds.1).all()) {
+                continue;
             }
-            !is_on
-        });
-        taken
+            let (id, cell) = &body.cells()[index];
+            for edge in Edge::all() {
+                let other = cell.net().edge(edge);
+                let runs_on = (0..4).all(|n| is_one(points[n], other[n]));
+                let is_on = runs_on || (0..4).all(|n| is_one(points[n], other[3 - n]));
+                if is_on && self.taken.insert((index, edge)) {
+                    found.push((*id, edge.axis, !runs_on));
+                }
+            }
+        }
+        found
     }
-}
-
-/// Numbers of the ends of an edge, the lower first.
-fn ends(corners: &[u32; 8], edge: Edge) -> [u32; 2] {
-    let at = |is_end: bool| {
-        let mut ends = [is_end; 3];
-        edge.axis.others().into_iter().zip(edge.ends).for_each(|(axis, end)| ends[axis as usize] = end);
-        corners[usize::from(ends[0]) * 4 + usize::from(ends[1]) * 2 + usize::from(ends[2])]
-    };
-    let (a, b) = (at(false), at(true));
-    [a.min(b), a.max(b)]
 }
 
 /// The parts of a cell at the start and at the end of an axis. Cells that lie the other way round are cut the other way

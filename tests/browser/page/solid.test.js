@@ -219,6 +219,10 @@ test("a key opens the solid, which says what it needs, shows the kernel's colour
   const png = PNG.sync.read(await downloaded(page, "png"));
   assert.deepEqual([png.width, png.height, png.data[3]], [400, 300, 0]);
   assert.equal(png.data[4 * (150 * 400 + 200) + 3], 255);
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.locator("[data-solid-copy]").click();
+  await eventually(async () => assert.match(await spoken(page), /The picture is copied/));
+  assert.deepEqual(await page.evaluate(async () => (await navigator.clipboard.read()).flatMap(({ types }) => types)), ["image/png"]);
   await page.keyboard.press("Escape");
 
   // Heights and undo move the body; without a height there is none.

@@ -9,7 +9,7 @@
  * @import { Shifts } from "./apart.js"
  * @import { Joints } from "./joints.js"
  */
-import { BufferAttribute, BufferGeometry, Mesh } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Mesh } from "three";
 import { cuttingPlanes, movePlane } from "../space/cut.js";
 import { Lines } from "../space/lines.js";
 import { Shadow } from "../space/shadow.js";
@@ -63,6 +63,7 @@ export class BodyScene {
   constructor(space) {
     for (const mesh of [this.#surface, this.#face]) mesh.frustumCulled = false;
     this.#face.material.uniforms.lit.value = 0;
+    this.#face.visible = false;
     // The frame of the plane lies in the face itself, which is to be seen as it is.
     Object.assign(this.#face.material, { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -4 });
     space.add(this.#shadow.object, this.#surface, this.#face, ...this.#lines.map(({ object }) => object), this.#dots.object);
@@ -100,7 +101,7 @@ export class BodyScene {
     const drawn = this.#drawn;
     if (!drawn) return;
     const { surface, sharing, shifts } = drawn;
-    const sides = new Map(sharing.edges.flatMap((edge) => edge.sides.map((side) => [edgeKey(side), edge.sides])));
+    const sides = new Map(!this.#isApart ? [] : sharing.edges.flatMap((edge) => edge.sides.map((side) => [edgeKey(side), edge.sides])));
     /** @type {number[]} */
     const segments = [];
     /** @type {number[]} */
@@ -193,7 +194,11 @@ export class BodyScene {
       Object.assign(material, { transparent: isClear, depthWrite: !isClear });
       material.needsUpdate = true;
     }
-    this.#arrange(isClear ? back : null);
+    // Of whole cells no more than the side towards the eye is seen.
+    const isWhole = !isClear && !this.#face.visible && this.#drawn?.empty.length === 0;
+    const side = isWhole && apart > 0 ? FrontSide : DoubleSide;
+    if (material.side !== side) Object.assign(material, { side, needsUpdate: true });
+    this.#arrange(isClear ? back : apart > 0 ? scaled(back, -1) : null);
     this.#edges.show(edges);
     this.#dots.show(corners);
     material.uniforms.lit.value = light ? 1 : 0;
@@ -206,20 +211,21 @@ export class BodyScene {
   }
 
   /**
-   * Faces in the order of drawing: where they are seen through, from the farthest to the nearest.
-   * @param {Vector | null} back from the body to the eye
+   * Faces in the order of drawing: where they are seen through, from the farthest to the nearest; of many cells that hide each other the
+   * other way, so that little is coloured in vain.
+   * @param {Vector | null} along the direction in which they follow each other; null for any
    */
-  #arrange(back) {
+  #arrange(along) {
     const drawn = this.#drawn;
     if (!drawn) return;
     const { value: apart } = this.#apart;
-    const key = JSON.stringify([back, apart > 0, back && apart]);
+    const key = JSON.stringify([along, apart > 0, along && apart]);
     if (key === this.#order) return;
     this.#order = key;
     const { surface, shifts } = drawn;
     const patches = surface.patches.slice(0, this.#isApart ? undefined : this.#outer);
-    const places = patches.map((patch, n) => ({ patch, depth: back ? dot(add(this.#middles[n], scaled(shiftOf(shifts, patch.cell), apart)), back) : n }));
-    if (back) places.sort((a, b) => a.depth - b.depth);
+    const places = patches.map((patch, n) => ({ patch, depth: along ? dot(add(this.#middles[n], scaled(shiftOf(shifts, patch.cell), apart)), along) : n }));
+    if (along) places.sort((a, b) => a.depth - b.depth);
     const index = this.#surface.geometry.getIndex();
     if (!index) return;
     let end = 0;

@@ -14,6 +14,7 @@
  * @property {{position: readonly number[], sides: readonly import("./edits.js").Side[]} | null} corner the chosen one
  * @property {Shown} shown
  * @property {[number, number] | null} extent of the section plane's way, document units
+ * @property {import("./joints.js").Joints | null} joints how cells continue each other, where it is shown
  * @property {number | null} area of the face of the cut
  *
  * @typedef {object} Acts
@@ -254,6 +255,8 @@ function showGroup(app, now, { change, look }) {
     { label: words.show.continuity, name: "body-continuity", choices: /** @type {const} */ (["off", "shape", "material"]).map((value) => ({ value, text: words.show.continuities[value] })) },
     (value) => change({ continuity: value }),
   );
+  continuity.element.classList.add("wide");
+  const meetings = h("p", { class: "body-note", "data-meetings": "" });
   const material = h("div", {});
   let names = "";
   /** @type {ReturnType<typeof select> | null} */
@@ -270,7 +273,8 @@ function showGroup(app, now, { change, look }) {
       row(words.show.apart, apart),
       row(words.show.transparency, transparency),
       h("p", { class: "body-label" }, words.show.continuity),
-      h("div", { class: "body-color" }, continuity.element),
+      continuity.element,
+      meetings,
       viewButtons("body", words.show, look),
     ),
     phrase: () => words.show.colors[now().shown.color],
@@ -282,6 +286,9 @@ function showGroup(app, now, { change, look }) {
       transparency.set(shown.transparency);
       for (const { input } of [apart, transparency]) attribute(input, "aria-valuetext", percent(Number(input.value)));
       continuity.set(shown.continuity);
+      const { joints } = now();
+      write(meetings, joints && shown.continuity !== "off" ? words.show.meetings(shown.continuity, joints.counts) : "");
+      meetings.hidden = meetings.textContent === "";
       for (const { name, set } of boxes) set(shown[name]);
       const key = JSON.stringify(materials.map(({ name }) => name));
       if (key !== names) {

@@ -28,7 +28,9 @@ import { jointsOf } from "./joints.js";
 import { isBody } from "./kind.js";
 import { createBodyLegend } from "./legend.js";
 import { neighboursOf } from "./neighbours.js";
+import { offer } from "./picture.js";
 import { createRunner } from "./runner.js";
+import { leave, leftOf } from "./seen.js";
 import { boundsOf, FIRST_SHOWN, hasInner, sharedCorner } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
 import { createBodyView } from "./view.js";
@@ -36,6 +38,8 @@ import { words } from "./words.js";
 
 /** CSS pixels at the upper edge that stay free. */
 const TOP = 16;
+/** Milliseconds after the last change of camera or display before it is kept. */
+const REST = 250;
 /** Cells with a badge in the picture at most, and the middle of a cell. */
 const MOST_BADGES = 200;
 const MIDDLE = [0.5, 0.5, 0.5];
@@ -124,8 +128,17 @@ function openWorkbench(app) {
       plane,
       chooseCorner: corner.choose,
       chooseCell: (cell) => change({ cell: cell === shown.cell ? null : cell, corner: null }),
-      gizmo: { move: corner.dragTo, end: () => store.endRun(), undo: (run) => void store.cancel(run) },
+      gizmo: {
+        move: corner.dragTo,
+        end() {
+          store.endRun();
+          // Keys go on with what was dragged.
+          keyboard.focus({ preventScroll: true });
+        },
+        undo: (run) => void store.cancel(run),
+      },
       step: () => (ui.value.snap ? nudgeOf(known) : null),
+      rested: keepLater,
       turned() {
         if (shown.section.axis === "view") cut.request();
       },
@@ -135,6 +148,7 @@ function openWorkbench(app) {
       },
     }),
   );
+  offer(view);
   const legend = createBodyLegend(app);
   const message = h("div", { class: "space-message", hidden: true, "data-body-message": "" }, h("p", {}));
   const { picture, keyboard, help, zoom } = createStand({ name: "body", words, view });
@@ -143,7 +157,7 @@ function openWorkbench(app) {
   stage.append(picture, legend.element, help, message, foot);
   const groupsAt = h("div", { class: "body-groups" });
   aside.append(groupsAt);
-  const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: corner.current(), extent: cut.plane()?.extent ?? null, area });
+  const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: corner.current(), extent: cut.plane()?.extent ?? null, joints: known && jointsNow(known), area });
   const groups = createGroups(
     groupsAt,
     words.region,
@@ -190,11 +204,26 @@ function openWorkbench(app) {
   function change(patch) {
     shown = { ...shown, ...patch };
     isDirty = true;
+    keepLater();
     render();
   }
 
   /** @type {{of: unknown[], joints: import("./joints.js").Joints | null}} */
   let joined = { of: [], joints: null };
+
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  /** Keeps what a reload and the way back bring, once it rests. */
+  function keepLater() {
+    clearTimeout(timer);
+    timer = setTimeout(keepNow, REST);
+  }
+
+  function keepNow() {
+    clearTimeout(timer);
+    if (framed && framed === store.origin.name) leave(app, framed, view?.camera ?? null, shown);
+  }
 
   /** How the cells of the body that is known continue each other. @param {Known} body */
   function jointsNow(body) {
@@ -230,6 +259,11 @@ function openWorkbench(app) {
   /** Brings the picture up with what is known and shown. @param {boolean} isNew whether the surface is another one */
   function show(isNew) {
     if (!known) return;
+    const { name } = store.origin;
+    const isOther = isNew && framed !== name;
+    const seen = isOther ? leftOf(app, name) : null;
+    if (isOther) shown = { ...FIRST_SHOWN, color: shown.color, ...seen?.display };
+    framed = isNew ? name : framed;
     const bounds = boundsOf(known.surface.positions);
     const cell = cellsOf(known.document)[shown.cell ?? -1];
     const { theme } = ui.value;
@@ -243,16 +277,16 @@ function openWorkbench(app) {
         view.paint(labsFor(known.surface, coloured));
         if (!isNew) cut.paint();
       }
-      if (isNew && framed !== store.origin.name) view.fit(STANDARD.iso);
-    }
-    if (isNew) {
-      if (framed !== store.origin.name) shown = { ...FIRST_SHOWN, color: shown.color };
-      framed = store.origin.name;
+      if (isOther && seen?.camera) view.restore(seen.camera);
+      else if (isOther) view.fit(STANDARD.iso);
     }
     cut.request(isNew);
     runner.look(known);
   }
 
+  const over = new AbortController();
+  // Before the page writes down what a reload brings back.
+  for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
   const stopKeys = listenToKeys({ keyboard, view, corner, change, now: nowShown });
 
   /** The body in words. */
@@ -331,8 +365,11 @@ function openWorkbench(app) {
     close() {
       stopFollowing();
       stopKeys();
+      over.abort();
+      if (timer) keepNow();
       runner.close();
       cut.close();
+      offer(null);
       view?.close();
       stage.remove();
       aside.remove();

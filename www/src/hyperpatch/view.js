@@ -3,6 +3,7 @@
  *
  * @import { BodySection, BodySharing, BodySurface } from "../../../js/directrix.js"
  * @import { App } from "../state/app.js"
+ * @import { PictureWanted } from "../files/picture-rows.js"
  * @import { PlaneMoves } from "../space/plane-mark.js"
  * @import { Plane } from "../space/plane.js"
  * @import { Bounds, Vector } from "../space/vector.js"
@@ -40,6 +41,8 @@ import { sampleAt } from "./cell.js";
 import { bodyOf, cellsOf } from "./document.js";
 import { words } from "./words.js";
 
+/** Ground of the page by theme. */
+const CANVAS = { light: "#ffffff", dark: "#0e0f12" };
 /** CSS pixels within which a tap means a corner, and by touch. */
 const NEAR = 12;
 const TOUCH = 22;
@@ -54,11 +57,12 @@ const BEHIND = 5e-3;
  * @param {(cell: number | null) => void} options.chooseCell
  * @param {import("../space/gizmo.js").GizmoMoves} options.gizmo what dragging the chosen corner does
  * @param {() => number | null} options.step that a dragged corner rests on; null for none
+ * @param {() => void} options.rested the camera has been moved, and rests for now
  * @param {() => void} options.turned the camera stands elsewhere
  * @param {(isLost: boolean) => void} options.oncontext
  * @throws {import("../space/space.js").NoWebGl}
  */
-export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: moves, step, turned, oncontext }) {
+export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: moves, step, rested, turned, oncontext }) {
   const over = createMarks(app);
   const coarse = matchMedia("(pointer: coarse)");
   const { spoken, show } = words;
@@ -76,6 +80,7 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
       else chooseCell(readingAt(at)?.cell ?? null);
     },
     turned,
+    rested,
     plane,
     oncontext,
   });
@@ -201,6 +206,21 @@ export function createBodyView(app, { plane, chooseCorner, chooseCell, gizmo: mo
     mark,
     resize: viewer.resize,
     fit: viewer.fit,
+    restore: viewer.restore,
+    /** What is seen now as a picture. @param {PictureWanted} wanted @returns {OffscreenCanvas | null} */
+    picture({ theme, transparent, ...size }) {
+      const kept = picture;
+      if (kept) picture = { ...kept, theme };
+      try {
+        return viewer.picture(size, transparent ? null : CANVAS[theme]);
+      } finally {
+        picture = kept;
+        viewer.request();
+      }
+    },
+    get size() {
+      return space.frame.size;
+    },
     look: viewer.look,
     move: viewer.move,
     readMiddle: viewer.readMiddle,

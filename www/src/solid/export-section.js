@@ -11,6 +11,7 @@ import { checkBox, segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
 import { h, write } from "../dom.js";
+import { copyPng } from "../files/clipboard.js";
 import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
 import { pictureRows } from "../files/picture-rows.js";
@@ -69,8 +70,9 @@ export function createSolidExport(app) {
   const shown = { stl: ["caps"], ply: ["color", "caps"], obj: ["color", "caps"], png: ["size", "theme", "background"] };
   const note = h("p", { class: "export-note" });
   const message = h("p", { class: "export-message", "data-message": "solid", hidden: true });
-  const save = h("button", { type: "button", class: "push", "data-solid-export": "", onclick: () => void run() }, text.download);
-  const element = h("div", {}, row(text.kind, kind), h("div", { class: "export" }, ...Object.values(rows), note), h("div", { class: "export-acts" }, save), message);
+  const save = h("button", { type: "button", class: "push", "data-solid-export": "", onclick: () => void run(saved) }, text.download);
+  const copy = h("button", { type: "button", class: "push", "data-solid-copy": "", onclick: () => void run(copied) }, text.copy);
+  const element = h("div", {}, row(text.kind, kind), h("div", { class: "export" }, ...Object.values(rows), note), h("div", { class: "export-acts" }, save, copy), message);
 
   /** @param {Partial<typeof wanted>} patch */
   function change(patch) {
@@ -88,8 +90,11 @@ export function createSolidExport(app) {
     for (const [name, element] of Object.entries(rows)) element.hidden = !shown[wanted.kind].some((each) => each === name);
     const lack = lackOf(app.store.document);
     write(note, lack ?? text.notes[wanted.kind]);
-    if (isBusy || lack !== null) save.setAttribute("aria-disabled", "true");
-    else save.removeAttribute("aria-disabled");
+    copy.hidden = wanted.kind !== "png";
+    for (const each of [save, copy]) {
+      if (isBusy || lack !== null) each.setAttribute("aria-disabled", "true");
+      else each.removeAttribute("aria-disabled");
+    }
   }
 
   /** @param {string | null} line @param {boolean} [failed] */
@@ -100,15 +105,25 @@ export function createSolidExport(app) {
     if (line !== null) app.say(line);
   }
 
-  async function run() {
+  async function saved() {
+    const name = `${fileName(app.store.document.title)}.${wanted.kind}`;
+    download(await made({ ...wanted }), name);
+    return text.downloaded(name);
+  }
+
+  async function copied() {
+    await copyPng(made({ ...wanted }));
+    return text.copied;
+  }
+
+  /** @param {() => Promise<string>} act what is said when it is done */
+  async function run(act) {
     if (save.ariaDisabled) return;
     isBusy = true;
     tell(null);
     render();
     try {
-      const name = `${fileName(app.store.document.title)}.${wanted.kind}`;
-      download(await made({ ...wanted }), name);
-      tell(text.downloaded(name));
+      tell(await act());
     } catch (error) {
       tell(text.failed(problem(error).message.replace(/\.$/, "")), true);
     }

@@ -152,6 +152,8 @@ export const words = {
     background: "Background",
     transparent: "transparent",
     download: "Download",
+    copy: "Copy",
+    copied: "The picture is copied",
     downloaded: (/** @type {string} */ file) => `Downloaded ${file}`,
     failed: (/** @type {string} */ reason) => `That did not work: ${reason}.`,
     notes: {

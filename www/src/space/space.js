@@ -94,6 +94,11 @@ export class Space {
     return this.#renderer.getPixelRatio();
   }
 
+  /** The same while nothing is dragged. */
+  get fullRatio() {
+    return this.#fullRatio;
+  }
+
   /**
    * Makes the picture as large as its frame.
    * @param {Frame} frame

@@ -198,6 +198,34 @@ export function createViewer(app, words, { draw, read, speak, hull, box, tap, tu
       if (follows) fit();
       space.resize(next);
     },
+    /**
+     * What is seen now as a picture of a size of its own, without marks; lines are as wide against the body as on the screen.
+     * @param {import("../types.js").Size} size in pixels
+     * @param {string | null} ground CSS; null for none
+     * @returns {OffscreenCanvas | null} null where the graphics card draws no picture of that size
+     */
+    picture({ width, height }, ground) {
+      const { camera, frame, fullRatio } = space;
+      const ratio = Math.max(width, height) / Math.max(frame.size.width, frame.size.height);
+      const wanted = { size: { width: width / ratio, height: height / ratio }, top: 0, bottom: 0 };
+      const flat = new OffscreenCanvas(width, height);
+      const context = flat.getContext("2d");
+      try {
+        if (follows) space.camera = fitted(camera, wanted, hull());
+        // The renderer rounds down what it is given.
+        space.resize(wanted, ratio * (1 + 1e-9));
+        if (!context || space.drawn.width !== width || space.drawn.height !== height) return null;
+        if (ground) {
+          context.fillStyle = ground;
+          context.fillRect(0, 0, width, height);
+        }
+        context.drawImage(canvas, 0, 0);
+        return flat;
+      } finally {
+        space.camera = camera;
+        space.resize(frame, fullRatio);
+      }
+    },
     /** A camera that was kept. @param {Camera} camera */
     restore(camera) {
       const points = hull();
