@@ -58,10 +58,11 @@ export function createBodyFigure(app, host, figure) {
   const net = svg("path", { class: "cell-net" });
   const through = svg("path", { class: "cell-through" });
   const dots = svg("path", { class: "cell-dots" });
+  const movingUnder = svg("path", { class: "cell-moving-under" });
   const moving = svg("path", { class: "cell-moving" });
   const pointUnder = svg("path", { class: "cell-point-under" });
   const point = svg("path", { class: "cell-point" });
-  const over = svg("svg", { class: "lesson-cell", "aria-hidden": "true" }, net, through, dots, moving, pointUnder, point);
+  const over = svg("svg", { class: "lesson-cell", "aria-hidden": "true" }, net, through, dots, movingUnder, moving, pointUnder, point);
   const handle = h("button", { type: "button", class: "handle round chosen", "data-lesson": "coefficient" });
   const handles = h("div", { class: "lesson-handles", hidden: !canMove }, handle);
   const orbit = createOrbit({
@@ -246,7 +247,7 @@ export function createBodyFigure(app, host, figure) {
     const goes = (known?.moving ?? []).map((each) => seen(positionOf(each) ?? [0, 0, 0]));
     attribute(net, "d", pathOf(lines));
     attribute(dots, "d", at.map(dot).join(""));
-    attribute(moving, "d", goes.map(dot).join(""));
+    for (const each of [moving, movingUnder]) attribute(each, "d", goes.map(dot).join(""));
     attribute(through, "d", pathOf(crossing));
     const here = figure.point ? seen(sampleAt(now, uvw, 1).position) : null;
     for (const each of [point, pointUnder]) attribute(each, "d", here ? dot(here) : "");

@@ -15,7 +15,7 @@ import { words } from "./words-body.js";
 /** Units of the view: a cell, a fraction of 1, room beyond 0 and 1, room for figures on the left. */
 const CELL = 100;
 const ONE = 96;
-const BEYOND = 0.3;
+const BEYOND = 0.4;
 const LEFT = 24;
 /** Pieces of the curve in a cell. */
 const PIECES = 24;
