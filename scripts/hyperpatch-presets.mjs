@@ -15,6 +15,8 @@ const THIRDS = [0, 1 / 3, 2 / 3, 1];
 const YELLOW = { name: "polymer", color: "#f0e442" };
 const GREEN = { name: "titanium", color: "#009e73" };
 const BLUE = { name: "ceramic", color: "#0072b2" };
+/** Emptiness counts as a material: what is left of it is a pore. */
+const EMPTY = { name: "empty", color: "#f4f5f7", void: true };
 
 /**
  * A cell from a function of its parameters that is tricubic at most between thirds, as control points.
@@ -133,22 +135,63 @@ function pair() {
   return [first, second];
 }
 
-/** Eight cubes with one gradient from corner to corner. */
-function block() {
+/**
+ * Unit cubes in a grid.
+ *
+ * @param {Place} counts along x, y and z
+ * @param {(corner: Place) => number[]} mix at a corner of the grid, counted in cells
+ * @param {(place: Place) => number[]} [bent] where a control point of the grid lies; where it is by default
+ * @returns {Cell[]}
+ */
+function grid([nx, ny, nz], mix, bent = (place) => place) {
   const cells = [];
-  for (let a = 0; a < 2; a++) {
-    for (let b = 0; b < 2; b++) {
-      for (let c = 0; c < 2; c++) {
-        const mix = (/** @type {Place} */ [u, v, w]) => {
-          const [p, q] = [(a + u) / 2, ((b + v) / 2 + (c + w) / 2) / 2];
-          return [(1 - p) * (1 - q), p * (1 - q), q];
-        };
-        cells.push(cell(([u, v, w]) => [a + u, b + v, c + w], mix));
+  for (let a = 0; a < nx; a++) {
+    for (let b = 0; b < ny; b++) {
+      for (let c = 0; c < nz; c++) {
+        cells.push(cell(([u, v, w]) => bent([a + u, b + v, c + w]), ([u, v, w]) => mix([a + u, b + v, c + w])));
       }
     }
   }
   return cells;
 }
+
+/** Eight cubes with one gradient from corner to corner. */
+const block = () =>
+  grid([2, 2, 2], ([x, y, z]) => {
+    const [p, q] = [x / 2, (y / 2 + z / 2) / 2];
+    return [(1 - p) * (1 - q), p * (1 - q), q];
+  });
+
+/**
+ * Four cubes round an edge, or eight round a corner, whose corners there are of another material than all others: by the flat rule the fraction
+ * is a product of one smoothstep along each axis, whose levels are close to circles, or spheres, near the middle.
+ *
+ * @param {1 | 2} height in cells
+ */
+const round = (height) => grid([2, 2, height], ([x, y, z]) => (x === 1 && y === 1 && (height === 1 || z === 1) ? [0, 1] : [1, 0]));
+
+/** Two cells with one face in common: the material runs on at the corners of the front, and jumps at those behind. */
+function seam() {
+  const first = cell(([u, v, w]) => [u, v, w], ([u, v]) => [1 - (u * (1 - v)) / 2, (u * (1 - v)) / 2]);
+  const second = cell(([u, v, w]) => [1 + u, v, w], ([u, v]) => [v === 1 ? 0 : (1 - u) / 2, v === 1 ? 1 : (1 + u) / 2]);
+  return [first, second];
+}
+
+/** A stem that is solid above and ever more porous below. */
+const stem = () =>
+  grid([1, 1, 3], ([, , z]) => [[0.3, 0.5, 0.8, 1][z], [0.7, 0.5, 0.2, 0][z]], ([x, y, z]) => [(2 * x - 1) * (1 + z / 6), (2 * y - 1) * (1 + z / 6), 2 * z]);
+
+/**
+ * Two cells with two corners of a face in common, with their blocks. From there the faces part.
+ */
+function contact() {
+  const first = cell(([u, v, w]) => [u, v, w], upwards);
+  const second = cell(([u, v, w]) => [1 + u + (v > 0.5 ? 0.6 * (1 - u) * (3 * v - 1) / 2 : 0), v, w], upwards);
+  return [first, second];
+}
+
+/** Four cells in a row, whose material goes by the flat rule from one station to the next. */
+const row = () => grid([4, 1, 1], ([x]) => [1 - x / 4, x / 4]);
 
 /**
  * The presets by name, in the order in which they are shown.
@@ -179,6 +222,13 @@ export function presets() {
       two,
       Array.from({ length: 8 }, (_, n) => cell(ringCell(8, n), ([u]) => share(n + u, 8))),
     ),
+    cylinder: document("A cylinder of material", two, round(1)),
+    // The cell in front is left out, so that the middle is seen.
+    sphere: document("A sphere of material", two, round(2).filter((_, n) => n !== 5)),
+    seam: document("Half a seam", two, seam()),
+    porous: document("Porous stem", [GREEN, EMPTY], stem()),
+    contact: document("Corner contact", two, contact()),
+    row: document("Four in a row", two, row()),
   };
 }
 

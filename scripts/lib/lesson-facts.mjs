@@ -14,6 +14,7 @@
  * @property {string} meaning
  * @property {(question: Question, ...numbers: number[]) => number} of
  */
+import { pieces } from "../../www/src/lessons/certificate.js";
 
 /** What the figure shows: of the greedy growth where it shows that. @param {Question} question */
 const result = ({ dx, document, view }) => (view === "steps" ? dx.steps(document) : dx.match(document));
@@ -58,7 +59,7 @@ function fraction({ dx, document }, material, s) {
   return first;
 }
 
-/** The only cell of a body. @param {Question} question */
+/** The body of a figure. @param {Question} question */
 const cellOf = ({ dx, document }) => dx.hyperpatch(document);
 
 /** Parameters at which a cubic is known from four of its values. */
@@ -104,6 +105,73 @@ function weight({ dx, document }, i, j, k, ...uvw) {
   return x - before;
 }
 
+/** The cells of a body after all operations. @param {Question} question */
+const cellsOf = (question) => /** @type {any} */ (cellOf(question).cellsDocument().operations[0]).cells;
+
+/** The Bernstein polynomials of degree 8 at t. @param {number} t */
+const bernstein8 = (t) => [1, 8, 28, 56, 70, 56, 28, 8, 1].map((count, n) => count * t ** n * (1 - t) ** (8 - n));
+
+/** The inverse of a square matrix, by Gauss and Jordan with the largest pivots. @param {number[][]} matrix */
+function inverse(matrix) {
+  const size = matrix.length;
+  const rows = matrix.map((row, n) => [...row, ...row.map((_, m) => (m === n ? 1 : 0))]);
+  for (let n = 0; n < size; n += 1) {
+    const pivot = rows.slice(n).reduce((best, row, k) => (Math.abs(row[n]) > Math.abs(rows[best][n]) ? n + k : best), n);
+    [rows[n], rows[pivot]] = [rows[pivot], rows[n]];
+    rows[n] = rows[n].map((value) => value / rows[n][n]);
+    rows.forEach((row, k) => {
+      if (k !== n) rows[k] = row.map((value, m) => value - row[n] * rows[n][m]);
+    });
+  }
+  return rows.map((row) => row.slice(size));
+}
+
+/**
+ * The 729 Bernstein coefficients of the Jacobian, from its values at 9 x 9 x 9 places, which follow from positions that the kernel gives: not
+ * the way that the page finds them.
+ * @param {Question} question
+ */
+export function numbersOf(question) {
+  const body = cellOf(question);
+  const nodes = Array.from({ length: 9 }, (_, n) => n / 8);
+  const places = NODES.flatMap((u) => NODES.flatMap((v) => NODES.map((w) => body.sample(0, [u, v, w]).position)));
+  const values = NODES.map((_, n) => (/** @type {number} */ t) => NODES.reduce((product, node, m) => (m === n ? product : (product * (t - node)) / (NODES[n] - node)), 1));
+  const slopes = NODES.map((_, n) => (/** @type {number} */ t) => slope(NODES.map((_, m) => (m === n ? 1 : 0)), t));
+  const at = (/** @type {number[]} */ uvw) => {
+    const [a, b, c] = [0, 1, 2].map((axis) => {
+      const [p, q, r] = uvw.map((t, k) => (k === axis ? slopes : values).map((one) => one(t)));
+      return [0, 1, 2].map((k) => places.reduce((sum, place, n) => sum + p[n >> 4] * q[(n >> 2) & 3] * r[n & 3] * place[k], 0));
+    });
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  let numbers = nodes.flatMap((u) => nodes.flatMap((v) => nodes.map((w) => at([u, v, w]))));
+  const back = inverse(nodes.map(bernstein8));
+  for (const stride of [81, 9, 1]) {
+    numbers = numbers.map((_, n) => {
+      const own = Math.floor(n / stride) % 9;
+      return back[own].reduce((sum, weight, m) => sum + weight * numbers[n + (m - own) * stride], 0);
+    });
+  }
+  return numbers;
+}
+
+/** Joints at a corner of a cell. @param {Question} question @param {number} cell @param {number[]} corner */
+const jointsOf = (question, cell, corner) => cellOf(question).neighbourhood(cell, /** @type {any} */ (corner)).joints;
+
+/** Where a cell meets itself: both parameters. @param {Question} question */
+function meetingOf(question) {
+  const witness = cellOf(question).verdicts()[0]?.witness;
+  if (witness?.kind !== "meeting") throw new RangeError("the cell meets itself nowhere");
+  return witness;
+}
+
+/** The distance between the places of two cells. @param {Question} question @param {[number, number[]][]} places */
+function apart(question, places) {
+  const body = cellOf(question);
+  const [a, b] = places.map(([cell, uvw]) => body.sample(cell, /** @type {any} */ (uvw)).position);
+  return Math.hypot(...a.map((each, axis) => each - b[axis]));
+}
+
 /** @type {{[name: string]: FactKind}} */
 export const FACTS = {
   samples: { arguments: 1, meaning: "samples of curve 1 or 2", of: (question, curve) => result(question).samples[curve - 1]?.points.length ?? NaN },
@@ -143,6 +211,43 @@ export const FACTS = {
   "jacobian-least": { arguments: 0, meaning: "what J is proven to be at least", of: (question) => cellOf(question).verdicts()[0]?.leastJacobianBound ?? NaN },
   regularity: { arguments: 0, meaning: "regularity, -1 to 1", of: (question) => cellOf(question).verdicts()[0]?.margin ?? NaN },
   volume: { arguments: 0, meaning: "volume of the body", of: (question) => cellOf(question).volume() },
+  amount: { arguments: 1, meaning: "amount of a material (from 1)", of: (question, material) => cellOf(question).amounts()[material - 1] },
+  "share-of": { arguments: 1, meaning: "amount of a material over the volume", of: (question, material) => cellOf(question).amounts()[material - 1] / cellOf(question).volume() },
+  thirds: {
+    arguments: 0,
+    meaning: "least J at the 64 places whose parameters are thirds",
+    of: (question) => Math.min(...NODES.flatMap((u) => NODES.flatMap((v) => NODES.map((w) => jacobian(question, [u, v, w]))))),
+  },
+  numbers: { arguments: 0, meaning: "Bernstein coefficients of J", of: (question) => numbersOf(question).length },
+  "least-number": { arguments: 0, meaning: "least of the Bernstein coefficients of J", of: (question) => Math.min(...numbersOf(question)) },
+  "mean-number": { arguments: 0, meaning: "mean of the Bernstein coefficients of J", of: (question) => numbersOf(question).reduce((sum, each) => sum + each, 0) / 729 },
+  "negative-numbers": { arguments: 0, meaning: "negative ones among them", of: (question) => numbersOf(question).filter((each) => each < 0).length },
+  halved: { arguments: 1, meaning: "least of them after so many halvings", of: (question, count) => pieces(cellsOf(question)[0], count)[0].least },
+  meeting: { arguments: 1, meaning: "parameter 1 to 3 where a cell meets itself, and 4 to 6 the other one", of: (question, number) => [meetingOf(question)].flatMap(({ at, other }) => [...at, ...other])[number - 1] },
+  "meeting-apart": { arguments: 0, meaning: "distance of both places in the body", of: (question) => [meetingOf(question)].map(({ at, other }) => apart(question, [[0, at], [0, other]]))[0] },
+  moves: {
+    arguments: 3,
+    meaning: "places that move with the coefficient i, j, k of cell 0, by the repaired rule",
+    of: (question, ...at) => {
+      const cells = cellsOf(question);
+      return new Set(cellOf(question).moves(0, /** @type {any} */ (at)).map(({ cell, at: [i, j, k] }) => String(cells[cell].coefficients[(4 * i + j) * 4 + k].position))).size;
+    },
+  },
+  joints: { arguments: 4, meaning: "faces between cells at the corner (0 or 1 each) of a cell", of: (question, cell, ...corner) => jointsOf(question, cell, corner).length },
+  "smooth-joints": { arguments: 4, meaning: "those of them across which the shape is C1", of: (question, cell, ...corner) => jointsOf(question, cell, corner).filter(({ shape }) => shape === "C1").length },
+  "gap-at": { arguments: 1, meaning: "distance of cells 0 and 1 on their face at v = t, w = 0", of: (question, t) => apart(question, [[0, [1, t, 0]], [1, [0, t, 0]]]) },
+  "gap-ratio": {
+    arguments: 1,
+    meaning: "that distance over the one at t / 2",
+    of: (question, t) => [t, t / 2].map((each) => apart(question, [[0, [1, each, 0]], [1, [0, each, 0]]])).reduce((a, b) => a / b),
+  },
+  "mix-of": { arguments: 5, meaning: "fraction of a material (from 1) in a cell at u, v, w", of: (question, material, cell, ...uvw) => cellOf(question).sample(cell, /** @type {any} */ (uvw)).mix[material - 1] },
+  "mix-at": { arguments: 3, meaning: "fraction of a material (from 1) at the coefficient i, 0, 0 of a cell", of: (question, material, cell, i) => cellsOf(question)[cell].coefficients[16 * i].mix[material - 1] },
+  reflected: {
+    arguments: 1,
+    meaning: "fraction of a material (from 1) that is as far beyond the middle joint of a row as it is before it",
+    of: (question, material) => [cellsOf(question)[1].coefficients].map((own) => 2 * own[48].mix[material - 1] - own[32].mix[material - 1])[0],
+  },
   candidates: {
     arguments: 1,
     meaning: "size of V ∩ R there",

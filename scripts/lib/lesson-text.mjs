@@ -20,7 +20,7 @@ import { FACTS } from "./lesson-facts.mjs";
 /** What a term may name in a figure of each view. */
 export const TERMS = {
   figure: ["first", "second", "lines", "line", "samples", "band", "stage", "stages", "normals", "faults"],
-  body: ["coefficients", "coefficient", "corners", "inner", "net", "edges", "point", "through", "witness"],
+  body: ["coefficients", "coefficient", "corners", "inner", "net", "edges", "point", "through", "witness", "moving"],
   steps: ["first", "second", "accepted", "visible", "valid", "candidates", "winner", "redundant", "bare", "moved"],
 };
 

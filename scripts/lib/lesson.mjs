@@ -13,7 +13,15 @@
  * @property {Moment | null} step of the view `steps`
  * @property {[number, number, number] | null} point of the view `body`: u, v and w of the place that is marked
  * @property {[number, number, number] | null} coefficient of the view `body`: the one that is chosen
- * @property {"weights" | "material" | "jacobian" | null} reading of the view `body`: what stands below it
+ * @property {number} cell of the view `body`: the one that the place, the net and the coefficient belong to
+ * @property {"cell" | "corner" | "none"} net of the view `body`: the coefficients that are shown
+ * @property {number | null} without of the view `body`: a cell that is not painted, so that one sees what lies behind it
+ * @property {"block" | "single" | "pair" | null} reach of the view `body`: what moves with a coefficient; a cell alone needs none
+ * @property {[number, number, number] | null} by of the view `body`: how far the coefficient has been moved at first
+ * @property {number | null} twist of the view `body`: degrees from bottom to top, to be changed
+ * @property {"reflect" | "flat" | "natural" | null} rule of the view `body`: for the material of a row of four cells, to be changed
+ * @property {number[] | null} shares of the second material before the middle joint of that row and at it
+ * @property {typeof READINGS[number] | null} reading of the view `body`: what stands below it
  * @property {"full" | "minimal" | "none"} controls
  * @property {string} caption HTML
  * @property {string} alt what the picture shows, in plain words
@@ -47,16 +55,16 @@
 import { escaped, mathematics, prose } from "./lesson-text.mjs";
 
 const LESSON_FIELDS = ["group", "order", "summary"];
-const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", "point", "coefficient", "reading", "controls", "set", "caption", "alt"];
+/** Fields of figures of the view `body`. */
+const BODY_FIELDS = ["cell", "without", "net", "point", "coefficient", "reach", "by", "twist", "rule", "shares", "reading"];
+const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", ...BODY_FIELDS, "controls", "set", "caption", "alt"];
+const READINGS = /** @type {const} */ (["weights", "material", "jacobian", "certificate", "cone", "meeting", "joints", "gap", "row", "amounts"]);
 const LAYERS = [
   ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
   "isoComposition",
 ];
 /** Fields that belong to figures of one view, with that view. */
-const OWN_FIELDS = /** @type {const} */ ([
-  ...[["layers", "figure"], ["s", "figure"], ["step", "steps"]],
-  ...[["point", "body"], ["coefficient", "body"], ["reading", "body"]],
-]);
+const OWN_FIELDS = [["layers", "figure"], ["s", "figure"], ["step", "steps"], ...BODY_FIELDS.map((name) => [name, "body"])];
 /** Paths of a document that `set` may change. */
 const PATH = /^(sampling|matching|blend|curves\.[01])\.[a-zA-Z]+$/;
 
@@ -245,14 +253,17 @@ function readFigure(fields, base, documents, facts, refuse) {
     const change = of("set");
     if (change) refuse(change.at, "set", "changes curves; a figure of the view body shows its document as it is");
   } else if (document.value.startsWith("hyperpatch-")) refuse(document.at, "figure", `"${document.value}" is a body, which the view body shows`);
-  /** @param {string} name @param {(value: number) => boolean} fits @param {string} expected @returns {[number, number, number] | null} */
-  const three = (name, fits, expected) => {
+  /** @param {string} name @param {number} count @param {(value: number) => boolean} fits @param {string} expected @returns {number[] | null} */
+  const numbers = (name, count, fits, expected) => {
     const given = of(name);
     if (!given) return null;
-    const numbers = given.value.split(" ").map(Number);
-    if (numbers.length !== 3 || !numbers.every(fits)) refuse(given.at, name, `${expected}, not "${given.value}"`);
-    return /** @type {[number, number, number]} */ (numbers);
+    const found = given.value.split(" ").map(Number);
+    if (found.length !== count || !found.every(fits)) refuse(given.at, name, `${expected}, not "${given.value}"`);
+    return found;
   };
+  /** @param {string} name @param {(value: number) => boolean} fits @param {string} expected */
+  const three = (name, fits, expected) => /** @type {[number, number, number] | null} */ (numbers(name, 3, fits, expected));
+  const isShare = (/** @type {number} */ value) => value >= 0 && value <= 1;
   const layers = of("layers")?.value.split(/\s*,\s*/) ?? null;
   const unknown = layers?.find((layer) => !LAYERS.includes(layer));
   if (unknown !== undefined) refuse(of("layers")?.at ?? base, "layers", `there is no layer "${unknown}"; there are: ${LAYERS.join(", ")}`);
@@ -271,9 +282,17 @@ function readFigure(fields, base, documents, facts, refuse) {
     layers,
     s: s ? Number(s.value) : null,
     step: step ? readMoment(step.value, step.at, refuse) : null,
-    point: three("point", (value) => value >= 0 && value <= 1, "u, v and w, each from 0 to 1, with a blank between them"),
+    cell: numbers("cell", 1, (value) => Number.isInteger(value) && value >= 0, "the number of a cell, from 0")?.[0] ?? 0,
+    without: numbers("without", 1, (value) => Number.isInteger(value) && value >= 0, "the number of a cell, from 0")?.[0] ?? null,
+    net: oneOf("net", /** @type {const} */ (["cell", "corner", "none"]), "cell"),
+    reach: oneOf("reach", /** @type {const} */ (["block", "single", "pair"]), null),
+    by: three("by", Number.isFinite, "x, y and z with a blank between them"),
+    twist: numbers("twist", 1, (value) => value >= 0 && value <= 180, "degrees from 0 to 180")?.[0] ?? null,
+    rule: oneOf("rule", /** @type {const} */ (["reflect", "flat", "natural"]), null),
+    shares: numbers("shares", 2, isShare, "two fractions from 0 to 1, with a blank between them"),
+    point: three("point", isShare, "u, v and w, each from 0 to 1, with a blank between them"),
     coefficient: three("coefficient", (value) => Number.isInteger(value) && value >= 0 && value <= 3, "i, j and k, each 0, 1, 2 or 3, with a blank between them"),
-    reading: oneOf("reading", /** @type {const} */ (["weights", "material", "jacobian"]), null),
+    reading: oneOf("reading", READINGS, null),
     controls: oneOf("controls", /** @type {const} */ (["full", "minimal", "none"]), "minimal"),
     caption: told.html,
     alt: escaped(alt) === alt ? alt : refuse(of("alt")?.at ?? base, "alt", "is plain text, without < > & and quotation marks"),

@@ -44,7 +44,32 @@ test("presets are what their script writes, and have the verdicts that they show
     pair: "2 cells, all regular, none overlapping, materials sum to 1",
     block: "8 cells, all regular, none overlapping, materials sum to 1",
     ring: "8 cells, all regular, none overlapping, materials sum to 1",
+    cylinder: "4 cells, all regular, none overlapping, materials sum to 1",
+    sphere: "7 cells, all regular, none overlapping, materials sum to 1",
+    seam: "2 cells, all regular, none overlapping, materials sum to 1",
+    porous: "3 cells, all regular, none overlapping, materials sum to 1",
+    contact: "2 cells, all regular, none overlapping, 1 pair touching, materials sum to 1",
+    row: "4 cells, all regular, none overlapping, materials sum to 1",
   });
+});
+
+test("gradations made of corner materials have the shapes that they are named after", () => {
+  const mixAt = (/** @type {string} */ name, /** @type {[number, number, number]} */ point) => body(name).probe(point)?.mix[1] ?? NaN;
+  const r = 0.15;
+  const circle = [0, 20, 45, 70].map((angle) => (angle * Math.PI) / 180).map((a) => mixAt("cylinder", [1 - r * Math.cos(a), 1 - r * Math.sin(a), 0.4]));
+  const third = r / Math.sqrt(3);
+  const sphere = [mixAt("sphere", [1 - r, 1, 1]), mixAt("sphere", [1 - third, 1 - third, 1 - third]), mixAt("sphere", [1 + third, 1 + third, 1 + third])];
+  // By the smoothstep along each axis it is 1 - 3 r^2 but for the third power.
+  for (const found of [...circle, ...sphere]) assert.ok(Math.abs(found - (1 - 3 * r * r)) < 3 * r ** 3, String(found));
+  const [joint] = body("seam").continuity().faces;
+  assert.deepEqual([joint.shape, joint.material], ["C1", "none"]);
+  assert.deepEqual(joint.corners.map(({ corner, material }) => [corner[1], material]).sort(), [[0, "C1"], [0, "C1"], [1, "none"], [1, "none"]]);
+  const [contact] = body("contact").continuity().contacts;
+  assert.equal(contact.corners.length, 2);
+  near(contact.gap, 0.6);
+  const porous = body("porous");
+  assert.equal(documents.porous.materials[1].void, true);
+  near(porous.amounts().reduce((sum, each) => sum + each, 0), porous.volume());
 });
 
 test("verdicts carry witnesses", () => {

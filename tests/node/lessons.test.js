@@ -4,10 +4,12 @@ import { readFile, readdir } from "node:fs/promises";
 import { basename, join } from "node:path";
 import { test } from "node:test";
 import { load } from "directrix";
-import { FACTS, isTrue } from "../../scripts/lib/lesson-facts.mjs";
+import { FACTS, isTrue, numbersOf } from "../../scripts/lib/lesson-facts.mjs";
 import { documentNamed, documentNames, lessonFolder } from "../../scripts/lib/lesson-plugin.mjs";
 import { readLesson } from "../../scripts/lib/lesson.mjs";
+import { firstState, graded, moved, oppositeOf, redone, twisted } from "../../www/src/lessons/body-edits.js";
 import { jacobianAt, leastAtCorners, weightsAt } from "../../www/src/lessons/cell-sum.js";
+import { jacobianNumbers, pieces } from "../../www/src/lessons/certificate.js";
 import { figureDocument, momentOf } from "../../www/src/lessons/document.js";
 import { lengths, phaseAt } from "../../www/src/steps/film.js";
 
@@ -20,7 +22,7 @@ const sources = new Map(await Promise.all(names.map(async (name) => /** @type {c
 const lessonNamed = (name) => readLesson(name, sources.get(name) ?? "", documents);
 
 test("there are lessons, each with a place of its own in the list", () => {
-  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "validity"]) assert.ok(names.includes(name), name);
+  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity"]) assert.ok(names.includes(name), name);
   const orders = names.map((name) => lessonNamed(name).lesson.order);
   assert.equal(new Set(orders).size, names.length);
 });
@@ -32,7 +34,7 @@ for (const name of names) {
     for (const [k, { title, figure }] of lesson.steps.entries()) {
       const source = figureDocument(await documentNamed(figure.document), figure);
       const document = figure.view === "body" ? source : dx.defaults(source);
-      if (figure.view === "body") assert.equal(dx.hyperpatch(/** @type {any} */ (document)).cells.length, 1, `${name}, step ${k + 1}: a figure of the view body shows one cell`);
+      if (figure.view === "body") assert.ok(dx.hyperpatch(/** @type {any} */ (document)).cells.length > figure.cell, `${name}, step ${k + 1}: the body of the figure has the cell ${figure.cell}`);
       else if (figure.view === "steps") {
         const steps = dx.steps(document);
         const { phase, index = 1 } = figure.step ?? {};
@@ -142,6 +144,70 @@ Text with $x$ and a [term](lines).
 = It is.
 `;
 
+test("the 729 numbers of a cell are those that the kernel's positions give, and halving closes in on its least Jacobian", async () => {
+  for (const name of ["twisted", "nearly-invalid", "invalid", "crossing"]) {
+    const document = await documentNamed(`hyperpatch-${name}`);
+    const [cell] = document.operations[0].cells;
+    const body = dx.hyperpatch(document);
+    const numbers = jacobianNumbers(cell);
+    const size = Math.max(...numbers.map(Math.abs));
+    // From values back to coefficients, rounding grows by up to 560 along each of three axes.
+    numbersOf({ dx, document, view: "body" }).forEach((value, n) => assert.ok(Math.abs(value - numbers[n]) < 1e-7 * size, `${name}, ${n}: ${value} is not ${numbers[n]}`));
+    assert.ok(Math.abs(numbers.reduce((sum, each) => sum + each, 0) / 729 - body.volume()) < 1e-12 * size);
+    const [{ leastJacobian, verdict }] = body.verdicts();
+    let before = -Infinity;
+    for (const count of [0, 1, 3, 8, 24]) {
+      const all = pieces(cell, count);
+      assert.equal(all.length, count + 1);
+      assert.ok(all[0].least >= before - 1e-12 * size && all[0].least <= leastJacobian + 1e-9 * size, `${name}, ${count}`);
+      before = all[0].least;
+    }
+    const corner = Math.min(...pieces(cell, 24).map((piece) => piece.corner));
+    assert.ok(before <= corner && corner - before < 0.01 * size, `${name}: both bounds meet`);
+    assert.equal(before > 0, verdict !== "invalid" || name === "crossing");
+  }
+});
+
+test("a twist, displacements and rules for the material are what the kernel says of them", async () => {
+  const cell = await documentNamed("hyperpatch-cell");
+  const half = dx.hyperpatch(twisted(cell, 90)).sample(0, [1, 0.5, 1]).position;
+  // The middle of the side x = 1 of the top, a quarter turn on.
+  [0, 1, 2].forEach((expected, axis) => assert.ok(Math.abs(half[axis] - expected) < 1e-8));
+  const [turned] = dx.hyperpatch(twisted(cell, 150)).verdicts();
+  assert.equal(turned.verdict, "valid");
+  assert.ok(turned.leastJacobianBound > 4, "as the lesson says");
+  const block = await documentNamed("hyperpatch-block");
+  const chosen = { cell: 0, at: /** @type {[number, number, number]} */ ([2, 3, 3]) };
+  assert.deepEqual(oppositeOf(block, chosen), { cell: 4, at: [1, 3, 3] });
+  const smooth = (/** @type {any} */ document) => FACTS["smooth-joints"].of({ dx, document, view: "body" }, 0, 1, 1, 1);
+  assert.deepEqual(/** @type {const} */ (["block", "pair", "single"]).map((reach) => smooth(moved(block, chosen, [0.1, -0.1, 0.2], reach))), [12, 4, 4]);
+  // One displacement after the other is one operation, and where they differ two.
+  const once = moved(moved(block, chosen, [0.1, 0, 0], "pair"), chosen, [0, 0, 0.2], "pair");
+  assert.deepEqual(once.operations, moved(block, chosen, [0.1, 0, 0.2], "pair").operations);
+  assert.equal(moved(once, chosen, [0, 0, 0.2], "block").operations.length, 4);
+  assert.deepEqual(redone(once, chosen, "pair", "block").operations, moved(block, chosen, [0.1, 0, 0.2], "block").operations);
+  assert.equal(redone(block, chosen, "pair", "block"), block);
+
+  const row = await documentNamed("hyperpatch-row");
+  const at = (/** @type {any} */ document, /** @type {number} */ place) => dx.hyperpatch(document).sample(Math.floor(place), [place % 1, 0.3, 0.6]).mix[1];
+  for (const place of [0.2, 0.75, 1.5, 2.1, 3.9]) {
+    const t = place % 1;
+    const step = 3 * t * t - 2 * t * t * t;
+    assert.ok(Math.abs(at(graded(row, { before: 0.5, at: 0.5 }, "natural"), place) - place / 4) < 1e-9, "an even gradient");
+    assert.ok(Math.abs(at(graded(row, { before: 0.5, at: 0.5 }, "flat"), place) - (Math.floor(place) + step) / 4) < 1e-9, "a staircase");
+  }
+  const joint = (/** @type {any} */ document) => dx.hyperpatch(document).neighbourhood(1, [1, 0, 0]).joints.map(({ material }) => material);
+  for (const [share, kind] of /** @type {const} */ ([[0.75, "C1"], [0.8, "C0"], [0.25, "C1"], [0.2, "C0"]])) {
+    assert.deepEqual(joint(graded(row, { before: 0.5, at: share }, "reflect")), [kind], String(share));
+    for (const rule of /** @type {const} */ (["flat", "natural"])) assert.deepEqual(joint(graded(row, { before: 0.5, at: share }, rule)), ["C1"]);
+  }
+  // As the lesson says of a joint near the end: the step is what there is of the scarcer material.
+  const near = FACTS["mix-at"].of({ dx, document: graded(row, { before: 0, at: 0.95 }, "natural"), view: "body" }, 2, 1, 2);
+  assert.ok(Math.abs(near - 0.9) < 1e-9);
+  const { lesson } = lessonNamed("corner-continuity");
+  assert.deepEqual(firstState(block, /** @type {any} */ (lesson.steps[2]?.figure)), block, "a figure without changes shows its document as it is");
+});
+
 test("the page on writing lessons has an example that is one, and all facts", async () => {
   const page = await readFile(new URL("../../docs/lessons.md", import.meta.url), "utf8");
   const example = /^```\n(# [^]*?)^```$/m.exec(page)?.[1] ?? "";
@@ -184,7 +250,11 @@ const BAD = [
   ["a change of a body", (t) => bodied(t).replace("caption:", "set: blend.stages = 3\ncaption:"), /set: changes curves/],
   ["a place outside the cell", (t) => bodied(t).replace("caption:", "point: 0 0.5 1.2\ncaption:"), /point: u, v and w, each from 0 to 1, with a blank between them, not "0 0\.5 1\.2"/],
   ["a coefficient that is not there", (t) => bodied(t).replace("caption:", "coefficient: 1 4 0\ncaption:"), /coefficient: i, j and k, each 0, 1, 2 or 3/],
-  ["an unknown reading", (t) => bodied(t).replace("caption:", "reading: volume\ncaption:"), /reading: one of weights, material, jacobian, not "volume"/],
+  ["an unknown reading", (t) => bodied(t).replace("caption:", "reading: volume\ncaption:"), /reading: one of weights, material, jacobian, certificate, cone, meeting, joints, gap, row, amounts, not "volume"/],
+  ["a twist out of range", (t) => bodied(t).replace("caption:", "twist: 270\ncaption:"), /twist: degrees from 0 to 180, not "270"/],
+  ["a cell that is no number", (t) => bodied(t).replace("caption:", "cell: first\ncaption:"), /cell: the number of a cell, from 0, not "first"/],
+  ["fractions that are none", (t) => bodied(t).replace("caption:", "rule: flat\nshares: 0.5 1.5\ncaption:"), /shares: two fractions from 0 to 1, with a blank between them, not "0\.5 1\.5"/],
+  ["a field of bodies with curves", (t) => t.replace("caption:", "reach: block\ncaption:"), /reach: belongs to figures of the view body/],
   ["a step of the wrong view", (t) => t.replace("caption:", "step: end\ncaption:"), /step: belongs to figures of the view steps/],
   ["a view without its step", (t) => t.replace("caption:", "view: steps\ncaption:").replace("(lines)", "(winner)"), /step: a figure of the view steps names one/],
   ["an unknown moment", (t) => t.replace("caption:", "view: steps\nstep: growth 0\ncaption:"), /step: start, end, or growth, removal or insertion with a number/],

@@ -100,7 +100,7 @@ test("what is wrong with a body is named, with its witness in the picture, and a
   const pictures = page.locator(".body-preset-picture");
   await eventually(async () => {
     const sources = await pictures.evaluateAll((images) => images.map((image) => /** @type {HTMLImageElement} */ (image).src));
-    assert.ok(sources.length === 8 && sources.every((source) => source.startsWith("data:image/png")) && new Set(sources).size >= 7);
+    assert.ok(sources.length === 14 && sources.every((source) => source.startsWith("data:image/png")) && new Set(sources).size >= 13);
   });
   await page.locator("[data-preset=hyperpatch-invalid]").click();
   await eventually(async () => assert.match(await status(page), /1 cell invalid/));

@@ -20,6 +20,7 @@ const files = (await readdir(lessonFolder)).filter((file) => file.endsWith(".md"
 const lessons = (await Promise.all(files.map(async (file) => readLesson(file.slice(0, -3), await readFile(`${lessonFolder}/${file}`, "utf8"), documents).lesson)))
   .sort((a, b) => a.order - b.order);
 const [first, , greedy, cell] = /** @type {[Lesson, Lesson, Lesson, Lesson]} */ (lessons);
+const [validity, corner, material] = ["cell-validity", "corner-continuity", "material-continuity"].map((wanted) => /** @type {Lesson} */ (lessons.find(({ name }) => name === wanted)));
 
 const control = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`[data-lesson=${name}]`);
 const term = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`.lesson [data-term="${name}"]`).first();
@@ -383,6 +384,58 @@ test("a cell by hand: what is summed at a place, what rides along when a coeffic
   await slide("u", "0.5");
   assert.equal(await value("jacobian"), "−0.350");
 
+  await t.test("a certificate is found by halving, and a twist is valid without being regular", async () => {
+    await goTo(page, validity, 3);
+    assert.equal(await value("least-number"), "−0.810");
+    assert.equal(await value("settled"), "not settled yet");
+    await slide("halvings", "8");
+    assert.deepEqual([await value("least-number"), await value("settled")], ["0.030", "positive, proven"]);
+    await goTo(page, validity, 4);
+    assert.equal(await value("margin"), "0.000");
+    await slide("twist", "150");
+    await eventually(async () => assert.deepEqual([await value("margin"), await value("verdict")], ["−0.743", "valid"]));
+    await slide("twist", "60");
+    await eventually(async () => assert.deepEqual([await value("margin"), await value("verdict")], ["0.403", "regular"]));
+  });
+
+  await t.test("Eq. 8 on one pair breaks a corner, and the repaired rule keeps it, by pointer and by keys", async () => {
+    await goTo(page, corner, 4);
+    await eventually(async () => assert.deepEqual([await value("moving"), await value("smooth-shape")], ["2", "4"]));
+    await page.locator("[data-select=lesson-reach]").selectOption("block");
+    await eventually(async () => assert.deepEqual([await value("moving"), await value("smooth-shape")], ["18", "12"]));
+    const own = () => control(page, "coefficient").getAttribute("aria-label");
+    const before = await own();
+    await control(page, "coefficient").focus();
+    await page.keyboard.press("ArrowDown");
+    await eventually(async () => assert.notEqual(await own(), before));
+    const lower = await own();
+    await drag(page, await middle(control(page, "coefficient")), [20, 12]);
+    await eventually(async () => assert.notEqual(await own(), lower));
+    await eventually(async () => assert.equal(await value("smooth-shape"), "12"));
+    await page.locator("[data-select=lesson-coefficient]").selectOption({ label: "(2, 2, 2) of cell 0" });
+    await eventually(async () => assert.equal(await value("moving"), "8"));
+    await control(page, "reset").click();
+    await eventually(async () => assert.deepEqual([await value("moving"), await value("smooth-shape")], ["2", "4"]));
+    await goTo(page, corner, 1);
+    assert.equal(await value("ratio-3"), "3.93");
+  });
+
+  await t.test("a joint whose reflection is no composition has a kink, and other rules have none", async () => {
+    await goTo(page, material, 1);
+    await eventually(async () => assert.match(await value("joint"), /kink/));
+    assert.equal(await value("mix-beyond"), "(−0.10, 1.10), no composition");
+    await slide("at", "0.75");
+    await eventually(async () => assert.match(await value("joint"), /smooth/));
+    await slide("at", "0.9");
+    await eventually(async () => assert.match(await value("joint"), /kink/));
+    await page.locator("[data-segment=lesson-rule] label").nth(2).click();
+    await eventually(async () => assert.match(await value("joint"), /smooth/));
+    assert.ok(await page.locator("[data-slider=lesson-before]").isHidden());
+    await goTo(page, material, 5);
+    await eventually(async () => assert.equal(await value("amount-1"), "11.40 (30.0\u00a0%)"));
+    assert.equal(await value("here-1"), "70.0\u00a0%");
+  });
+
   await goTo(page, cell, 5);
   await eventually(async () => assert.equal(await value("verdict"), "valid"));
   // A field shows every digit once it has the focus.
@@ -444,12 +497,12 @@ test("on a phone, in the dark: contents, turning, targets, and nothing wider tha
   await page.locator(".lesson-contents").tap();
   await page.getByRole("link", { name: greedy.title }).tap();
   await shows(page, greedy, 1);
-  for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3]])) {
+  for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3], [validity, 3], [corner, 2], [material, 1]])) {
     await goTo(page, lesson, step);
     assert.deepEqual(await audit(page), []);
     const wide = await page.locator(".lesson-scroll").evaluate((element) => element.scrollWidth > element.clientWidth);
     assert.equal(wide, false, `${lesson.name}, step ${step}`);
-    const own = lesson === cell ? (step === 3 ? ["coefficient"] : []) : ["mine"];
+    const own = lesson.order < cell.order ? ["mine"] : (lesson === cell && step === 3) || lesson === corner ? ["coefficient"] : [];
     for (const name of ["back", "next", "open", "reset", "present", ...own]) {
       const box = await control(page, name).boundingBox();
       assert.ok(box && box.height >= 44, `${name} ${JSON.stringify(box)}`);

@@ -1,25 +1,23 @@
 /**
- * A figure of one cell: its body with the net of its 64 coefficients, a place u, v, w in it with what is summed there, and coefficients
- * that are moved by hand. It is painted as figures on other pages are, so no graphics card is needed.
+ * A figure of a body: with the net of one of its cells, or with the coefficients round a corner; a place u, v, w in it with what is read there,
+ * and coefficients that are moved by hand. It is painted as figures on other pages are, so no graphics card is needed.
  *
- * @import { BodySurface, CellVerdict } from "../../../js/directrix.js"
  * @import { App } from "../state/app.js"
  * @import { Camera } from "../space/camera.js"
  * @import { Vector } from "../space/vector.js"
  * @import { CurvesDocument, Point } from "../types.js"
  * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  * @import { Cell, BodyDocument } from "../hyperpatch/document.js"
- * @import { Index } from "./cell-sum.js"
+ * @import { Chosen, Reach, Rule, Shares } from "./body-edits.js"
+ * @import { Start } from "./body-handle.js"
+ * @import { Job, Known } from "./body-known.js"
  * @import { FigureView, Host } from "./figure.js"
  * @import { Part, Parts } from "./parts.js"
  */
 import "../../styles/lesson-cell.css";
 import { createOrbit } from "../../../js/element/body/orbit.js";
 import { paint as paintBody, shapeOf } from "../../../js/element/body/picture.js";
-import { numberField } from "../controls/number-field.js";
-import { select } from "../controls/select.js";
-import { slider } from "../controls/slider.js";
-import { attribute, h, svg, write } from "../dom.js";
+import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { edgeSegments, placeOf, sampleAt } from "../hyperpatch/cell.js";
@@ -27,24 +25,23 @@ import { cellsOf } from "../hyperpatch/document.js";
 import { axesOf, fitted, seenAt, STANDARD, unitsPerPixel } from "../space/camera.js";
 import { add, cornersOf, scaled } from "../space/vector.js";
 import { Lane } from "../state/lane.js";
-import { INDICES, jacobianAt } from "./cell-sum.js";
+import { createBodyControls } from "./body-controls.js";
+import { firstShares, graded, moved as displaced, redone, twisted } from "./body-edits.js";
+import { moveByHand } from "./body-handle.js";
+import { known as ask } from "./body-known.js";
 import { createReading } from "./cell-reading.js";
-import { words } from "./words.js";
+import { INDICES, jacobianAt } from "./cell-sum.js";
+import { words } from "./words-body.js";
 
-/** Steps of the sliders of u, v and w. */
-const STEP = 0.01;
 /** Pieces of a line of parameters as it is drawn. */
 const PIECES = 24;
-/** Step of an arrow key, as a share of the box of the cell; digits of a coordinate that was dragged. */
+/** Step of an arrow key, as a share of the box of the body. */
 const NUDGE = 0.02;
-const DIGITS = 3;
 /** Milliseconds after a change until the picture is fine again. */
 const IDLE = 200;
 
-/** @type {{[key: string]: Vector}} */
-const ARROWS = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 0, 1], ArrowDown: [0, 0, -1] };
-
-/** @typedef {{document: BodyDocument, surface: BodySurface, verdict: CellVerdict}} Known */
+/** The worst first. */
+const WORST = /** @type {const} */ (["invalid", "degenerate", "locally-valid", "valid", "regular"]);
 
 /**
  * @param {App} app
@@ -61,9 +58,11 @@ export function createBodyFigure(app, host, figure) {
   const net = svg("path", { class: "cell-net" });
   const through = svg("path", { class: "cell-through" });
   const dots = svg("path", { class: "cell-dots" });
+  const movingUnder = svg("path", { class: "cell-moving-under" });
+  const moving = svg("path", { class: "cell-moving" });
   const pointUnder = svg("path", { class: "cell-point-under" });
   const point = svg("path", { class: "cell-point" });
-  const over = svg("svg", { class: "lesson-cell", "aria-hidden": "true" }, net, through, dots, pointUnder, point);
+  const over = svg("svg", { class: "lesson-cell", "aria-hidden": "true" }, net, through, dots, movingUnder, moving, pointUnder, point);
   const handle = h("button", { type: "button", class: "handle round chosen", "data-lesson": "coefficient" });
   const handles = h("div", { class: "lesson-handles", hidden: !canMove }, handle);
   const orbit = createOrbit({
@@ -93,8 +92,17 @@ export function createBodyFigure(app, host, figure) {
   let shape = null;
   /** @type {Vector} */
   let uvw = figure.point ?? [0.5, 0.5, 0.5];
-  /** @type {Index} */
-  let chosen = figure.coefficient ?? [3, 3, 3];
+  /** @type {Chosen} */
+  const first = { cell: figure.cell, at: figure.coefficient ?? [3, 3, 3] };
+  let chosen = first;
+  /** @type {Reach | null} */
+  let reach = figure.reach;
+  let twist = figure.twist ?? 0;
+  /** @type {Shares} */
+  let shares = firstShares(figure);
+  /** @type {Rule | null} */
+  let rule = figure.rule;
+  let halvings = 0;
   /** @type {Camera} */
   let camera = { ...STANDARD.iso, target: [0, 0, 0], distance: 1 };
   let whole = 1;
@@ -106,39 +114,33 @@ export function createBodyFigure(app, host, figure) {
   let idle;
 
   const reading = figure.reading ? createReading(figure.reading) : null;
-  const axes = /** @type {const} */ (["u", "v", "w"]);
-  const sliders = axes.map((name, axis) => {
-    const control = slider({ label: words.cell.parameter(name), name: `lesson-${name}`, min: 0, max: 1, step: STEP }, { change: (next) => place(axis, next) });
-    const value = h("span", { class: "number strong" });
-    return { ...control, value, row: h("div", { class: "cell-parameter" }, h("i", {}, name), control.element, value) };
-  });
-  const choices = INDICES.map((index) => ({ value: index.join(" "), text: words.cell.coefficient(index) }));
-  const which = select({ label: words.cell.which, name: "lesson-coefficient", choices }, (value) => {
-    choose(/** @type {Index} */ (value.split(" ").map(Number)));
-  });
-  const fields = /** @type {const} */ (["x", "y", "z"]).map((name, axis) =>
-    numberField(
-      { label: words.cell.coordinate(name), name: `lesson-${name}`, prefix: name, min: -1000, max: 1000, step: () => nudge() / 2, decimals: 2, rounded: true },
-      { change: (next) => moveTo(axis, next), end: () => rest() },
-    ),
-  );
-  const inputs = [...fields.map(({ element }) => element), ...fields.map(({ error }) => error)];
-  const controls = h(
-    "div",
-    { class: "cell-controls" },
-    canMove ? h("div", { class: "cell-coefficient" }, h("span", { class: "cell-label" }, words.cell.which), which.element, ...inputs) : null,
-    figure.point ? h("div", { class: "cell-parameters" }, ...sliders.map(({ row }) => row)) : null,
-    reading?.element ?? null,
-  );
-
-  /** @type {Lane<BodyDocument, Known>} */
-  const lane = new Lane({
-    async work(job, signal) {
-      const body = await kernel.hyperpatch(job, { signal });
-      const found = await body.surface({}, { signal });
-      const [verdict] = await body.verdicts({}, { signal });
-      return { document: job, surface: found, verdict };
+  const controls = createBodyControls(figure, reading?.element ?? null, {
+    place,
+    choose,
+    moveTo,
+    rest: () => rest(),
+    nudge,
+    reach(next) {
+      const again = document && reach ? redone(document, chosen, reach, next) : null;
+      reach = next;
+      if (again) change(again);
     },
+    twist(next) {
+      if (document) change(twisted(document, next - twist));
+      twist = next;
+    },
+    shares: (next) => grade({ ...shares, ...next }, rule),
+    rule: (next) => grade(shares, next),
+    halve(next) {
+      halvings = next;
+      host.touched();
+      redraw();
+    },
+  });
+
+  /** @type {Lane<Job, Known>} */
+  const lane = new Lane({
+    work: (job, signal) => ask(kernel, figure, job, signal),
     done(found) {
       if (isOver) return;
       known = found;
@@ -159,27 +161,45 @@ export function createBodyFigure(app, host, figure) {
     return { size: { width: Math.max(1, width), height: Math.max(1, height) }, top: 0, bottom: 0 };
   }
 
-  /** The cell as it is moved, which the picture follows. @returns {Cell | null} */
-  const cell = () => (document && cellsOf(document)[0]) ?? null;
+  /** The cells as they are moved, which the picture follows; where operations move them, as the kernel has found them. @returns {Cell[]} */
+  function cells() {
+    if (!document) return [];
+    const isWritten = document.operations.every(({ op }) => op === "cells");
+    return isWritten ? cellsOf(document) : (known?.cells ?? cellsOf(document));
+  }
 
-  /** Of the coefficients, which the body lies within. */
-  function boxOf(/** @type {Cell} */ { coefficients }) {
-    const [min, max] = [Math.min, Math.max].map((most) => [0, 1, 2].map((axis) => most(...coefficients.map(({ position }) => position[axis]))));
+  /** The one of the figure. @returns {Cell | null} */
+  const cell = () => cells()[figure.cell] ?? null;
+
+  /** @param {Chosen} which */
+  const positionOf = ({ cell, at }) => cells()[cell]?.coefficients[placeOf(...at)].position;
+
+  /** Coefficients that are shown, and can be chosen: those round the corner once each. @returns {Chosen[]} */
+  function shown() {
+    if (figure.net === "none") return [];
+    const around = known?.around;
+    if (figure.net === "corner") return around ? around.points.map(({ users }) => users.find((user) => isOf(user, chosen)) ?? users[0]) : [first];
+    return INDICES.map((at) => ({ cell: figure.cell, at }));
+  }
+
+  /** Of the coefficients, which the body lies within; of the body itself where they are not shown. */
+  function boxOf() {
+    if (figure.net === "none" && shape) return shape.bounds;
+    const all = cells().flatMap(({ coefficients }) => coefficients);
+    const [min, max] = [Math.min, Math.max].map((most) => [0, 1, 2].map((axis) => all.reduce((found, { position }) => most(found, position[axis]), all[0].position[axis])));
     return { min: /** @type {Vector} */ (min), max: /** @type {Vector} */ (max) };
   }
 
   function nudge() {
-    const now = cell();
-    if (!now) return NUDGE;
-    const { min, max } = boxOf(now);
+    if (!cell()) return NUDGE;
+    const { min, max } = boxOf();
     return Number((NUDGE * Math.max(...max.map((high, axis) => high - min[axis]))).toPrecision(1));
   }
 
   /** @param {Pick<Camera, "azimuth" | "elevation">} direction */
   function fit(direction) {
-    const now = cell();
-    if (!now) return;
-    camera = fitted(direction, frame(), cornersOf(boxOf(now)));
+    if (!cell()) return;
+    camera = fitted(direction, frame(), cornersOf(boxOf()));
     whole = camera.distance;
     follows = true;
   }
@@ -206,11 +226,12 @@ export function createBodyFigure(app, host, figure) {
     const { width, height } = surface.size();
     if (isOver || !now || width < 1 || height < 1) return;
     const ratio = surface.zoom * (window.devicePixelRatio || 1);
-    const { witness } = known?.verdict ?? {};
-    const look = { camera, frame: frame(), ratio, theme: ui.value.theme, isFine, isSmall: true, witnesses: witness ? [witness.point] : [] };
+    const look = { camera, frame: frame(), ratio, theme: ui.value.theme, isFine, isSmall: true, witnesses: witnesses() };
     if (shape) paintBody(canvas, shape, null, look);
     drawOver(now);
   }
+
+  const witnesses = () => (known?.verdicts ?? []).flatMap(({ witness }) => (witness ? [witness.point] : []));
 
   /** @param {readonly number[]} position */
   const seen = (position) => seenAt(camera, frame(), position).at;
@@ -219,38 +240,69 @@ export function createBodyFigure(app, host, figure) {
   function drawOver(now) {
     const { width, height } = surface.size();
     attribute(over, "viewBox", `0 0 ${width} ${height}`);
-    const at = now.coefficients.map(({ position }) => seen(position));
-    const lines = netOf(at);
+    const choices = shown();
+    const at = choices.map((each) => seen(positionOf(each) ?? [0, 0, 0]));
+    const lines = figure.net === "cell" ? netOf(now, INDICES) : figure.net === "corner" ? cornerLines() : [];
     const crossing = figure.point ? [0, 1, 2].map((axis) => lineThrough(now, axis)) : [];
+    const goes = (known?.moving ?? []).map((each) => seen(positionOf(each) ?? [0, 0, 0]));
     attribute(net, "d", pathOf(lines));
     attribute(dots, "d", at.map(dot).join(""));
+    for (const each of [moving, movingUnder]) attribute(each, "d", goes.map(dot).join(""));
     attribute(through, "d", pathOf(crossing));
     const here = figure.point ? seen(sampleAt(now, uvw, 1).position) : null;
     for (const each of [point, pointUnder]) attribute(each, "d", here ? dot(here) : "");
-    const own = now.coefficients[placeOf(...chosen)].position;
+    const own = positionOf(chosen) ?? [0, 0, 0];
     const [x, y] = seen(own).map((each) => each * surface.zoom);
     handle.style.transform = `translate(${x}px, ${y}px)`;
-    attribute(handle, "aria-label", words.cell.handle(chosen, ...placeText(own)));
-    which.set(chosen.join(" "));
-    fields.forEach(({ set }, axis) => set(own[axis]));
-    sliders.forEach(({ set, value, input }, axis) => {
-      set(uvw[axis]);
-      write(value, fixed(uvw[axis], 2));
-      attribute(input, "aria-valuetext", fixed(uvw[axis], 2));
+    attribute(handle, "aria-label", words.handle(chosen.at, ...placeText(own)));
+    controls.render({ uvw, own, chosen, choices, reach, twist, shares, rule, halvings });
+    const isCurrent = known?.job.document === document;
+    reading?.render({
+      cell: now,
+      cells: cells(),
+      uvw,
+      materials: document?.materials ?? [],
+      verdict: (isCurrent && known?.verdicts[figure.cell]) || null,
+      known: isCurrent ? known : null,
+      shares,
+      rule,
+      halvings,
     });
-    reading?.render({ cell: now, uvw, materials: document?.materials ?? [], verdict: known?.document === document ? known.verdict : null });
-    name(at, lines, crossing, here);
+    name(at, lines, crossing, here, goes);
+  }
+
+  /** The lines of the blocks that meet in the corner. @returns {Point[][]} */
+  function cornerLines() {
+    const blocks = known?.around?.cells ?? [];
+    return blocks.flatMap(({ cell, corner }) => {
+      const block = INDICES.filter((index) => index.every((each, axis) => (each > 1 ? 1 : 0) === corner[axis]));
+      const own = cells()[cell];
+      return own ? netOf(own, block) : [];
+    });
+  }
+
+  /** The lines of a net, from coefficient to coefficient, among some of them. @param {Cell} now @param {readonly (readonly number[])[]} among @returns {Point[][]} */
+  function netOf({ coefficients }, among) {
+    const is = new Set(among.map(String));
+    const to = (/** @type {readonly number[]} */ [i, j, k]) => seen(coefficients[placeOf(i, j, k)].position);
+    return among.flatMap((index) =>
+      [0, 1, 2].flatMap((axis) => {
+        const next = index.map((each, k) => (k === axis ? each + 1 : each));
+        return is.has(String(next)) ? [[to(index), to(next)]] : [];
+      }),
+    );
   }
 
   /** Numbers beside the picture, and names for what the terms of the text mean. */
   function drawn() {
     attribute(canvas, "aria-label", host.alt());
-    const verdict = known?.verdict;
-    if (verdict) {
-      const isSound = verdict.verdict === "regular" || verdict.verdict === "valid";
+    const verdicts = (known?.verdicts ?? []).map(({ verdict }) => verdict);
+    const worst = WORST.find((each) => verdicts.includes(each));
+    if (worst) {
+      const isSound = worst === "regular" || worst === "valid";
       status.replaceChildren(
         ...(isSound ? [icon("check", 14)] : []),
-        h("span", { class: verdict.verdict === "invalid" ? "failed" : "", "data-lesson": "verdict" }, words.cell.verdicts[verdict.verdict]),
+        h("span", { class: worst === "invalid" ? "failed" : "", "data-lesson": "verdict" }, words.verdicts[worst]),
         ...(figure.reading === "jacobian" ? [h("span", {}, symbol("J"), " ", h("span", { class: "strong number" }, fixed(jacobianAt(/** @type {Cell} */ (cell()), uvw), 2)))] : []),
       );
       status.hidden = figure.controls === "none";
@@ -268,17 +320,21 @@ export function createBodyFigure(app, host, figure) {
    * @param {Point[][]} lines of the net
    * @param {Point[][]} crossing
    * @param {Point | null} here
+   * @param {Point[]} goes of what moves with the chosen one
    */
-  function name(at, lines, crossing, here) {
+  function name(at, lines, crossing, here, goes) {
     const now = cell();
     if (!now) return;
-    const { witness } = known?.verdict ?? {};
+    const choices = shown();
+    /** Those with such indices. @param {(each: number) => boolean} fits */
+    const those = (fits) => choices.flatMap((choice, n) => (choice.at.every(fits) ? [at[n]] : []));
     /** @type {{[name: string]: () => Part}} */
     const parts = {
       coefficients: () => ({ dots: at }),
-      coefficient: () => ({ dots: [at[placeOf(...chosen)]] }),
-      corners: () => ({ dots: INDICES.flatMap((index, n) => (index.every((each) => each % 3 === 0) ? [at[n]] : [])) }),
-      inner: () => ({ dots: INDICES.flatMap((index, n) => (index.every((each) => each % 3 !== 0) ? [at[n]] : [])) }),
+      coefficient: () => ({ dots: [seen(positionOf(chosen) ?? [0, 0, 0])] }),
+      moving: () => ({ dots: goes }),
+      corners: () => ({ dots: those((each) => each % 3 === 0) }),
+      inner: () => ({ dots: those((each) => each % 3 !== 0) }),
       net: () => ({ lines }),
       edges: () => {
         const ends = edgeSegments(now);
@@ -287,7 +343,7 @@ export function createBodyFigure(app, host, figure) {
       },
       point: () => ({ dots: here ? [here] : [] }),
       through: () => ({ lines: crossing }),
-      witness: () => ({ dots: witness ? [seen(witness.point)] : [] }),
+      witness: () => ({ dots: witnesses().map(seen) }),
     };
     /** @type {Parts} */
     const found = new Map();
@@ -295,114 +351,129 @@ export function createBodyFigure(app, host, figure) {
     surface.name(found);
   }
 
+  /** Draws what lies over the body again. */
+  function redraw() {
+    const now = cell();
+    if (now) drawOver(now);
+  }
+
   /** @param {number} axis @param {number} value */
   function place(axis, value) {
     uvw = /** @type {Vector} */ (uvw.map((own, k) => (k === axis ? value : own)));
     host.touched();
-    const now = cell();
-    if (now) drawOver(now);
+    redraw();
     drawn();
   }
 
-  /** @param {Index} index */
-  function choose(index) {
-    chosen = index;
+  /** @param {Chosen} which */
+  function choose(which) {
+    chosen = which;
     host.touched();
-    const now = cell();
-    if (now) drawOver(now);
+    redraw();
+    if (reach) again();
   }
 
-  /** Moves the chosen coefficient, and nothing else. @param {readonly number[]} to */
-  function put(to) {
+  /** Asks the kernel about the document as it is. */
+  function again() {
+    if (document) lane.push({ document, chosen, reach });
+  }
+
+  /** @param {BodyDocument} next */
+  function change(next) {
+    document = next;
+    follows = false;
+    host.touched();
+    again();
+    moved();
+  }
+
+  /** @param {Shares} next @param {Rule | null} by */
+  function grade(next, by) {
+    [shares, rule] = [next, by];
+    if (document && rule) change(graded(document, shares, rule));
+  }
+
+  /** Moves the chosen coefficient: by an operation, with what goes with it, or it alone. @param {readonly number[]} to @param {Start} from */
+  function put(to, from) {
     if (!document) return;
-    const n = placeOf(...chosen);
+    if (reach) {
+      change(displaced(from.document, chosen, to.map((each, axis) => each - from.position[axis]), reach));
+      return;
+    }
+    const n = placeOf(...chosen.at);
     const replaced = (/** @type {Cell} */ { coefficients }) => ({
       coefficients: coefficients.map((own, k) => (k === n ? { ...own, position: /** @type {Vector} */ ([...to]) } : own)),
     });
     const operations = document.operations.map((operation) =>
-      operation.op === "cells" ? { ...operation, cells: /** @type {Cell[]} */ (operation.cells).map(replaced) } : operation,
+      operation.op === "cells" ? { ...operation, cells: /** @type {Cell[]} */ (operation.cells).map((each, k) => (k === chosen.cell ? replaced(each) : each)) } : operation,
     );
-    document = /** @type {BodyDocument} */ ({ ...document, operations });
-    follows = false;
-    host.touched();
-    lane.push(document);
-    moved();
+    change(/** @type {BodyDocument} */ ({ ...document, operations }));
   }
 
   /** @param {number} axis @param {number} value */
   function moveTo(axis, value) {
-    const own = cell()?.coefficients[placeOf(...chosen)].position;
-    if (own) put(own.map((each, k) => (k === axis ? value : each)));
+    const from = start();
+    if (from) put(from.position.map((each, k) => (k === axis ? value : each)), from);
+  }
+
+  /**
+   * Where a displacement of the chosen coefficient starts: in the body that the kernel has answered for, whose positions are known, or in the
+   * newest one, to which it is added.
+   * @param {boolean} [isAdded]
+   */
+  function start(isAdded = false) {
+    const from = reach && !isAdded ? known?.job.document : document;
+    const position = positionOf(chosen);
+    return from && position ? { document: from, position } : null;
   }
 
   /** @param {readonly number[]} position @returns {[string, string, string]} */
   const placeText = (position) => [coordinate(position[0]), coordinate(position[1]), coordinate(position[2])];
 
-  /** Where a drag of the handle began: on the screen, and in space. @type {{at: Point, position: readonly number[]} | null} */
-  let grabbed = null;
-  handle.addEventListener("pointerdown", (event) => {
-    const own = cell()?.coefficients[placeOf(...chosen)].position;
-    if (event.button !== 0 || !own) return;
-    event.preventDefault();
-    handle.focus({ preventScroll: true });
-    handle.setPointerCapture(event.pointerId);
-    grabbed = { at: surface.placeOf(event), position: own };
-  });
-  handle.addEventListener("pointermove", (event) => {
-    if (!grabbed) return;
-    // Across the view, at the depth where it lies.
-    const { right, up } = axesOf(camera);
-    const [x, y] = surface.placeOf(event);
-    const { depth } = seenAt(camera, frame(), grabbed.position);
-    const units = (unitsPerPixel(camera, frame()) * depth) / camera.distance;
-    const to = add(grabbed.position, add(scaled(right, (x - grabbed.at[0]) * units), scaled(up, (grabbed.at[1] - y) * units)));
-    put(to.map((each) => Number(each.toFixed(DIGITS)) + 0));
-  });
-  for (const type of /** @type {const} */ (["pointerup", "pointercancel"])) {
-    handle.addEventListener(type, () => {
-      grabbed = null;
-      rest();
-    });
-  }
-  handle.addEventListener("keydown", (event) => {
-    const arrow = ARROWS[event.key];
-    const own = cell()?.coefficients[placeOf(...chosen)].position;
-    if (!arrow || !own || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const by = nudge() * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-    const to = add(own, scaled(arrow, by)).map((each) => Number(each.toFixed(9)) + 0);
-    put(to);
-    app.say(words.cell.handle(chosen, ...placeText(to)));
+  moveByHand(handle, {
+    start,
+    /** Across the view, at the depth where it lies. */
+    dragged(position, [x, y]) {
+      const { right, up } = axesOf(camera);
+      const { depth } = seenAt(camera, frame(), position);
+      const units = (unitsPerPixel(camera, frame()) * depth) / camera.distance;
+      return add(position, add(scaled(right, x * units), scaled(up, -y * units)));
+    },
+    nudge,
+    placeOf: surface.placeOf,
+    put,
+    rest: () => rest(),
+    say: (position) => app.say(words.handle(chosen.at, ...placeText(position))),
   });
   // A tap near a coefficient takes it.
   surface.element.addEventListener("click", (event) => {
     const now = cell();
     if (!canMove || !now || event.target === handle) return;
     const here = surface.placeOf(event);
-    const reach = matchMedia("(pointer: coarse)").matches ? 22 : 12;
-    const far = now.coefficients.map(({ position }) => Math.hypot(...seen(position).map((each, k) => each - here[k])));
+    const near = matchMedia("(pointer: coarse)").matches ? 22 : 12;
+    const choices = shown();
+    const far = choices.map((each) => Math.hypot(...seen(positionOf(each) ?? [0, 0, 0]).map((own, k) => own - here[k])));
     const nearest = Math.min(...far);
-    if (nearest <= reach) choose(INDICES[far.indexOf(nearest)]);
+    if (nearest <= near) choose(choices[far.indexOf(nearest)]);
   });
 
   return {
     status,
-    controls: controls.childElementCount > 0 && figure.controls !== "none" ? controls : null,
+    controls: controls.element,
     show(next) {
       document = /** @type {BodyDocument} */ (/** @type {unknown} */ (next));
       known = shape = null;
       uvw = figure.point ?? [0.5, 0.5, 0.5];
-      chosen = figure.coefficient ?? [3, 3, 3];
+      [chosen, reach, twist, shares, rule, halvings] = [first, figure.reach, figure.twist ?? 0, firstShares(figure), figure.rule, 0];
       isFine = true;
       fit(STANDARD.iso);
-      lane.push(document);
+      again();
     },
     draw() {
       if (follows) fit(camera);
       draw();
     },
-    state: () => (document ? { document: /** @type {CurvesDocument} */ (/** @type {unknown} */ (document)), s: null, step: null } : null),
+    state: () => (document ? { document: /** @type {CurvesDocument} */ (/** @type {unknown} */ ({ ...document, operations: [{ op: "cells", cells: cells() }] })), s: null, step: null } : null),
     close() {
       isOver = true;
       cancelAnimationFrame(asked);
@@ -412,17 +483,8 @@ export function createBodyFigure(app, host, figure) {
   };
 }
 
-/** The lines of the net: along each parameter from coefficient to coefficient. @param {Point[]} at @returns {Point[][]} */
-function netOf(at) {
-  const lines = [];
-  for (const a of [0, 1, 2, 3]) {
-    for (const b of [0, 1, 2, 3]) {
-      const along = [0, 1, 2, 3];
-      lines.push(along.map((n) => at[placeOf(n, a, b)]), along.map((n) => at[placeOf(a, n, b)]), along.map((n) => at[placeOf(a, b, n)]));
-    }
-  }
-  return lines;
-}
+/** @param {Chosen} one @param {Chosen} other */
+const isOf = (one, other) => one.cell === other.cell && String(one.at) === String(other.at);
 
 /** @param {Point} place */
 const written = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;

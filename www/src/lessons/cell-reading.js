@@ -1,22 +1,36 @@
 /**
- * What a place of a cell comes to, below its figure: the sum of the weighted coefficients, the material, or the Jacobian.
+ * What stands below a figure of a body: of a place the sum of the weighted coefficients, the material, or the Jacobian; of the body what
+ * body-reading.js has.
  *
  * @import { CellVerdict, Material } from "../../../js/directrix.js"
+ * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  * @import { Cell } from "../hyperpatch/document.js"
  * @import { Vector } from "../space/vector.js"
+ * @import { Rule, Shares } from "./body-edits.js"
+ * @import { Known } from "./body-known.js"
  *
- * @typedef {{cell: Cell, uvw: Vector, materials: Material[], verdict: CellVerdict | null}} State `verdict`: null until the kernel has judged the cell as it stands
+ * @typedef {object} State
+ * @property {Cell} cell the one of the figure
+ * @property {Cell[]} cells
+ * @property {Vector} uvw
+ * @property {Material[]} materials
+ * @property {CellVerdict | null} verdict null until the kernel has judged the cell as it stands
+ * @property {Known | null} known null until the kernel has answered for the body as it stands
+ * @property {Shares} shares
+ * @property {Rule | null} rule
+ * @property {number} halvings
  */
 import { h } from "../dom.js";
 import { coordinate, fixed } from "../format.js";
 import { sampleAt } from "../hyperpatch/cell.js";
 import { INDICES, jacobianAt, leastAtCorners, weightsAt } from "./cell-sum.js";
-import { words } from "./words.js";
+import { READINGS } from "./body-reading.js";
+import { words } from "./words-body.js";
 
 /** Rows of single coefficients, those with the greatest weights. */
 const ROWS = 5;
 
-/** @param {"weights" | "material" | "jacobian"} kind */
+/** @param {NonNullable<Figure["reading"]>} kind */
 export function createReading(kind) {
   const element = h("div", { class: "cell-reading", "data-reading": kind });
   let shown = "";
@@ -24,10 +38,10 @@ export function createReading(kind) {
     element,
     /** @param {State} state */
     render(state) {
-      const key = JSON.stringify([state.cell.coefficients, state.uvw, state.verdict]);
+      const key = JSON.stringify([state.cells, state.uvw, state.verdict, state.known?.moving, state.known?.around?.joints, state.known?.measures, state.shares, state.rule, state.halvings]);
       if (key === shown) return;
       shown = key;
-      element.replaceChildren(kind === "weights" ? weights(state) : kind === "material" ? material(state) : jacobian(state));
+      element.replaceChildren(...[({ weights, material, jacobian, ...READINGS })[kind](state)].flat());
     },
   };
 }
@@ -57,11 +71,11 @@ function weights({ cell, uvw }) {
   const sorted = [...all].sort((a, b) => b.weight - a.weight);
   const part = (/** @type {typeof all} */ some) => [0, 1, 2].map((axis) => some.reduce((sum, { weight, position }) => sum + weight * position[axis], 0));
   const rest = sorted.slice(ROWS);
-  const says = words.cell.table;
+  const says = words.table;
   return table(
     [says.coefficient, says.weight, says.position, says.product],
     [
-      ...sorted.slice(0, ROWS).map((each) => ({ name: words.cell.coefficient(each.index), cells: [fixed(each.weight, 3), placeText(each.position), placeText(part([each]))] })),
+      ...sorted.slice(0, ROWS).map((each) => ({ name: words.coefficient(each.index), cells: [fixed(each.weight, 3), placeText(each.position), placeText(part([each]))] })),
       { name: says.others(rest.length), cells: [fixed(rest.reduce((sum, { weight }) => sum + weight, 0), 3), "", placeText(part(rest))] },
       { name: says.sum, cells: [fixed(all.reduce((sum, { weight }) => sum + weight, 0), 3), "", placeText(part(all))], strong: true },
     ],
@@ -74,7 +88,7 @@ function material({ cell, uvw, materials }) {
   return h(
     "dl",
     {},
-    h("dt", {}, words.cell.table.place),
+    h("dt", {}, words.table.place),
     h("dd", { class: "number", "data-lesson": "place" }, placeText(position)),
     ...materials.flatMap(({ name, color }, m) => {
       const swatch = h("span", { class: "cell-swatch" });
@@ -86,7 +100,7 @@ function material({ cell, uvw, materials }) {
 
 /** The Jacobian here, at the corners, and what is proven of it everywhere. @param {State} state */
 function jacobian({ cell, uvw, verdict }) {
-  const says = words.cell.table;
+  const says = words.table;
   const row = (/** @type {string} */ name, /** @type {number | null} */ value, /** @type {string} */ key) => [
     h("dt", {}, name),
     h("dd", { class: `number${value !== null && value < 0 ? " failed" : ""}`, "data-lesson": key }, value === null ? "…" : fixed(value, 3)),

@@ -6,6 +6,7 @@
  * @import { Steps } from "../../../js/directrix.js"
  */
 import { lengths, totalOf } from "../steps/film.js";
+import { firstState } from "./body-edits.js";
 
 /**
  * The document of a figure with its changes, and with the layers and the in-between curve that it shows.
@@ -13,7 +14,9 @@ import { lengths, totalOf } from "../steps/film.js";
  * @param {Figure} figure
  * @returns {CurvesDocument} with its defaults still to be filled in
  */
-export function figureDocument(source, { changes, layers, s }) {
+export function figureDocument(source, figure) {
+  const { changes, layers, s, view: kind } = figure;
+  if (kind === "body") return /** @type {any} */ (firstState(/** @type {any} */ (source), figure));
   const document = structuredClone(/** @type {any} */ (source));
   for (const [path, value] of changes) {
     const keys = path.split(".");

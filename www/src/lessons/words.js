@@ -53,34 +53,6 @@ export const words = {
   handle: (/** @type {string} */ name, /** @type {string} */ x, /** @type {string} */ y) => `${name}, x ${x}, y ${y}`,
 
   needsCurves: "Your document is a body, and these figures show curves. The workbench Hyperpatch shows yours.",
-  cell: {
-    parameter: (/** @type {string} */ name) => `Parameter ${name}`,
-    which: "Coefficient",
-    coefficient: (/** @type {readonly number[]} */ index) => `(${index.join(", ")})`,
-    coordinate: (/** @type {string} */ axis) => `${axis} of the coefficient`,
-    handle: (/** @type {readonly number[]} */ index, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ z) =>
-      `Coefficient ${index.join(" ")}, x ${x}, y ${y}, z ${z}. Left and right move it along x, up and down along z`,
-    verdicts: /** @type {Record<import("../../../js/directrix.js").VerdictName, string>} */ ({
-      regular: "regular",
-      valid: "valid",
-      "locally-valid": "locally valid",
-      degenerate: "degenerate",
-      invalid: "invalid",
-    }),
-    table: {
-      coefficient: "Coefficient",
-      weight: "Weight",
-      position: "Position",
-      product: "Weight × position",
-      others: (/** @type {number} */ count) => `the ${count} others`,
-      sum: "Sum of all 64",
-      place: "Place",
-      here: "J here",
-      corners: "Least J at the eight corners",
-      least: "J is proven to be at least",
-    },
-  },
-
   question: "Question",
   reveal: "Show the answer",
   chooseVertex: "Choose by keyboard",
