@@ -21,12 +21,17 @@ export const PASSED_LATER = "passed only when run again, alone: ";
 export async function secondChance(log, most, runner, files) {
   /** The file of each failure. @type {string[]} */
   const failed = [];
+  /** What the report says of them: the name and the first line of the error. @type {string[][]} */
+  const told = [];
   /** @type {string[]} */
   const sums = [];
   try {
     await runner(files, filesAtOnce, (line) => {
       const file = fileOf(line);
-      if (file) failed.push(file);
+      if (file) {
+        failed.push(file);
+        told.push([]);
+      } else if (told.length > 0 && (told.at(-1)?.length ?? 2) < 2) told.at(-1)?.push(line.trim());
       if (isSumOfFailures(line)) sums.push(line);
       else log(line);
     });
@@ -41,7 +46,7 @@ export async function secondChance(log, most, runner, files) {
     }
     log(`again, alone: ${again.join(", ")}`);
     await runner(again, 1, (line) => log(isSumOfPasses(line) ? `(${line} of these)` : line));
-    for (const file of again) log(`${PASSED_LATER}${file}`);
+    failed.forEach((file, n) => log(`${PASSED_LATER}${[file, ...told[n]].join("  ")}`));
   }
 }
 

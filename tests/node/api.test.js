@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { DirectrixError, load } from "directrix";
+import { load } from "directrix";
+import { refused } from "./refused.js";
 
 const root = new URL("../../", import.meta.url);
 const dx = await load({ module: "figure" });
@@ -10,20 +11,6 @@ const full = await load();
 const preset = JSON.parse(await readFile(new URL("www/presets/amoeba.json", root), "utf8"));
 /** Its lines from sample to sample, as they grow. */
 const amoeba = { ...preset, matching: { ...preset.matching, method: "greedy", oneToOne: false } };
-
-/**
- * @param {() => unknown} call
- * @returns {DirectrixError}
- */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return error;
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
-}
 
 test("match gives samples, lines in cyclic order and totals that certify them", () => {
   const match = dx.match(amoeba);

@@ -2,9 +2,10 @@
 import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { test } from "node:test";
-import { DirectrixError, describeBody, load } from "directrix";
+import { describeBody, load } from "directrix";
 import { inTurns } from "../../js/turns.js";
 import { presets, textOf } from "../../scripts/hyperpatch-presets.mjs";
+import { refusal } from "./refused.js";
 
 /** @typedef {import("directrix").HyperpatchDocument} Document */
 
@@ -12,17 +13,6 @@ const dx = await load();
 const folder = new URL("../../www/presets/hyperpatch/", import.meta.url);
 const documents = /** @type {Record<string, any>} */ (presets());
 const body = (/** @type {string} */ name) => dx.hyperpatch(documents[name]);
-
-/** @param {() => unknown} call */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return { code: error.code, path: error.path };
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
-}
 
 /** @param {number} found @param {number} expected @param {number} [tolerance] */
 function near(found, expected, tolerance = 1e-8) {
@@ -227,7 +217,7 @@ test("what is wrong is named by code and path", () => {
   const without = (/** @type {(document: any) => void} */ edit) => {
     const document = structuredClone(documents.cell);
     edit(document);
-    return refused(() => dx.hyperpatch(document));
+    return refusal(() => dx.hyperpatch(document));
   };
   const first = "operations[0].cells[0].coefficients";
   const on = (/** @type {any} */ document) => document.operations[0].cells[0].coefficients;
@@ -240,22 +230,22 @@ test("what is wrong is named by code and path", () => {
   assert.deepEqual(without((d) => (d.kind = "part")), { code: "kind", path: "kind" });
   assert.deepEqual(without((d) => (d.kind = "curves")), { code: "kind", path: "kind" });
   for (const ask of /** @type {const} */ (["match", "defaults", "solid", "amounts"])) {
-    assert.deepEqual(refused(() => dx[ask](documents.cell)), { code: "kind", path: "kind" }, ask);
+    assert.deepEqual(refusal(() => dx[ask](documents.cell)), { code: "kind", path: "kind" }, ask);
   }
   const cell = body("cell");
   const any = (/** @type {any} */ value) => value;
-  assert.deepEqual(refused(() => cell.sample(1, [0, 0, 0])), { code: "range", path: "cell" });
-  assert.deepEqual(refused(() => cell.sample(0, [0, 0, 2])), { code: "range", path: "at[2]" });
-  assert.deepEqual(refused(() => cell.probe([0, NaN, 0])), { code: "non-finite", path: "point[1]" });
-  assert.deepEqual(refused(() => cell.section({ normal: [0, 0, 0] })), { code: "range", path: "options.normal" });
-  assert.deepEqual(refused(() => cell.section({ normal: [0, 0, 1] }, { steps: 65 })), { code: "limit", path: "options.steps" });
-  assert.deepEqual(refused(() => cell.section({ normal: [0, 0, 1], offset: 1, point: [0, 0, 0] })), { code: "range", path: "options.offset" });
-  assert.deepEqual(refused(() => cell.surface({ tolerance: 0 })), { code: "range", path: "options.tolerance" });
-  assert.deepEqual(refused(() => cell.surface(any({ tolerence: 1 }))), { code: "unknown-field", path: "options.tolerence" });
-  assert.deepEqual(refused(() => cell.surface(any({ faces: "inner" }))), { code: "range", path: "options.faces" });
-  assert.deepEqual(refused(() => cell.grid(0, [1, 4, 4])), { code: "range", path: "counts[0]" });
-  assert.deepEqual(refused(() => cell.grid(0, [512, 512, 512])), { code: "limit", path: "counts" });
-  assert.deepEqual(refused(() => cell.file(any({ format: "step" }))), { code: "range", path: "options.format" });
+  assert.deepEqual(refusal(() => cell.sample(1, [0, 0, 0])), { code: "range", path: "cell" });
+  assert.deepEqual(refusal(() => cell.sample(0, [0, 0, 2])), { code: "range", path: "at[2]" });
+  assert.deepEqual(refusal(() => cell.probe([0, NaN, 0])), { code: "non-finite", path: "point[1]" });
+  assert.deepEqual(refusal(() => cell.section({ normal: [0, 0, 0] })), { code: "range", path: "options.normal" });
+  assert.deepEqual(refusal(() => cell.section({ normal: [0, 0, 1] }, { steps: 65 })), { code: "limit", path: "options.steps" });
+  assert.deepEqual(refusal(() => cell.section({ normal: [0, 0, 1], offset: 1, point: [0, 0, 0] })), { code: "range", path: "options.offset" });
+  assert.deepEqual(refusal(() => cell.surface({ tolerance: 0 })), { code: "range", path: "options.tolerance" });
+  assert.deepEqual(refusal(() => cell.surface(any({ tolerence: 1 }))), { code: "unknown-field", path: "options.tolerence" });
+  assert.deepEqual(refusal(() => cell.surface(any({ faces: "inner" }))), { code: "range", path: "options.faces" });
+  assert.deepEqual(refusal(() => cell.grid(0, [1, 4, 4])), { code: "range", path: "counts[0]" });
+  assert.deepEqual(refusal(() => cell.grid(0, [512, 512, 512])), { code: "limit", path: "counts" });
+  assert.deepEqual(refusal(() => cell.file(any({ format: "step" }))), { code: "range", path: "options.format" });
 });
 
 test("a body without cells has answers", () => {
@@ -269,8 +259,8 @@ test("a body without cells has answers", () => {
 
 test("the module of figures says where hyperpatches are", async () => {
   const figure = await load({ module: "figure" });
-  assert.deepEqual(refused(() => figure.hyperpatch(documents.cell)), { code: "not-in-module", path: "" });
-  assert.deepEqual(refused(() => figure.match(documents.cell)), { code: "kind", path: "kind" });
+  assert.deepEqual(refusal(() => figure.hyperpatch(documents.cell)), { code: "not-in-module", path: "" });
+  assert.deepEqual(refusal(() => figure.match(documents.cell)), { code: "kind", path: "kind" });
 });
 
 test("in turns, each is short, the answer is the same, and one that is not wanted ends", async () => {

@@ -2,25 +2,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { DirectrixError, load } from "directrix";
+import { refused } from "./refused.js";
 
 const dx = await load();
 const figure = await load({ module: "figure" });
 
 /** @import { Point } from "directrix" */
-
-/**
- * @param {() => unknown} call
- * @returns {DirectrixError}
- */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return error;
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
-}
 
 /** @param {number} count @param {number} rx @param {number} ry @returns {Point[]} */
 const ellipse = (count, rx, ry) =>

@@ -5,6 +5,7 @@ import { DirectrixError, load, renewSurface } from "directrix";
 import { body as remoteBody, merge as remoteMerge } from "../../js/remote-body.js";
 import { inTurns } from "../../js/turns.js";
 import { presets } from "../../scripts/hyperpatch-presets.mjs";
+import { refused } from "./refused.js";
 
 /**
  * @import { BodySurface, HyperpatchDocument, HyperpatchOperation } from "directrix"
@@ -23,17 +24,6 @@ const after = (document, ...operations) => ({ ...document, operations: [...docum
 
 /** @param {number} cell @param {number} by @returns {HyperpatchOperation} */
 const moved = (cell, by) => ({ op: "move", cell, at: [3, 3, 3], by: [by, 0, by / 2] });
-
-/** @param {() => unknown} call */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return error;
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
-}
 
 test("operations say what came of them, and cells are numbered by them", () => {
   const document = after(

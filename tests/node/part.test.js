@@ -3,10 +3,11 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
-import { DirectrixError, load } from "directrix";
+import { load } from "directrix";
 import { remotePart } from "../../js/remote-part.js";
 import { inTurns } from "../../js/turns.js";
 import { root } from "../../scripts/lib/paths.mjs";
+import { refusal } from "./refused.js";
 
 const dx = await load();
 const folder = join(root, "www/presets/part");
@@ -15,17 +16,6 @@ const names = (await readdir(folder)).map((file) => file.replace(".json", ""));
 const documents = Object.fromEntries(
   await Promise.all(names.map(async (name) => [name, JSON.parse(await readFile(join(folder, `${name}.json`), "utf8"))])),
 );
-
-/** @param {() => unknown} call */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return { code: error.code, path: error.path };
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
-}
 
 /** @param {number} a @param {number} b @param {number} by */
 const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a}, not ${b}`);
@@ -197,7 +187,7 @@ test("what is wrong is named by code and path", async () => {
   const without = (/** @type {(document: any) => void} */ edit) => {
     const document = structuredClone(documents.rectangle);
     edit(document);
-    return refused(() => dx.part(document));
+    return refusal(() => dx.part(document));
   };
   assert.deepEqual(without((d) => (d.kind = "curves")), { code: "kind", path: "kind" });
   assert.deepEqual(without((d) => (d.directrix = 2)), { code: "version", path: "directrix" });
@@ -205,14 +195,14 @@ test("what is wrong is named by code and path", async () => {
   assert.deepEqual(without((d) => (d.bodies[0].features[1].start = [0, 1, 1])), { code: "range", path: "bodies[0].features[1].start" });
   assert.deepEqual(without((d) => (d.shapes[1].name = "edge B")), { code: "range", path: "shapes[2].name" });
   for (const ask of /** @type {const} */ (["match", "defaults", "solid", "amounts", "hyperpatch"])) {
-    assert.deepEqual(refused(() => dx[ask](documents.rectangle)), { code: "kind", path: "kind" }, ask);
+    assert.deepEqual(refusal(() => dx[ask](documents.rectangle)), { code: "kind", path: "kind" }, ask);
   }
   const part = dx.part(documents.rectangle);
-  assert.deepEqual(refused(() => part.evaluate({ size: [4096, 4096] })), { code: "limit", path: "options.size" });
-  assert.deepEqual(refused(() => part.evaluate(/** @type {any} */ ({ size: [3] }))), { code: "range", path: "options.size" });
-  assert.deepEqual(refused(() => part.probe([0, Infinity])), { code: "non-finite", path: "point[1]" });
-  assert.deepEqual(refused(() => part.isolines({ material: 3 })), { code: "range", path: "options.material" });
+  assert.deepEqual(refusal(() => part.evaluate({ size: [4096, 4096] })), { code: "limit", path: "options.size" });
+  assert.deepEqual(refusal(() => part.evaluate(/** @type {any} */ ({ size: [3] }))), { code: "range", path: "options.size" });
+  assert.deepEqual(refusal(() => part.probe([0, Infinity])), { code: "non-finite", path: "point[1]" });
+  assert.deepEqual(refusal(() => part.isolines({ material: 3 })), { code: "range", path: "options.material" });
   const figure = await load({ module: "figure" });
-  assert.equal(refused(() => figure.part(documents.rectangle)).code, "not-in-module");
-  assert.equal(refused(() => figure.match(documents.rectangle)).code, "kind");
+  assert.equal(refusal(() => figure.part(documents.rectangle)).code, "not-in-module");
+  assert.equal(refusal(() => figure.match(documents.rectangle)).code, "kind");
 });

@@ -62,7 +62,7 @@ async function twoRuns(first, second) {
     ran.push(files);
     log(`ℹ pass ${3 * files.length - broken.length}`);
     log(`ℹ fail ${broken.length}`);
-    for (const file of broken) log(`test at ${file}:7:1`);
+    for (const file of broken) ["test at " + file + ":7:1", "✖ a test", "  wrong", "  more"].forEach(log);
     if (broken.length > 0) throw new CommandError("ended with code 1");
   };
   const error = await secondChance((line) => lines.push(line), 2, runner, ["a.test.js", "b.test.js", "c.test.js", "d.test.js"]).catch((each) => each);
@@ -74,7 +74,7 @@ test("test files that fail are run once more, alone, and what passes only then i
   assert.deepEqual([passed.ran.length, passed.isFailed, passed.counts, passed.later], [1, false, { passed: 12, failed: 0 }, []]);
   const later = await twoRuns(["b.test.js", "b.test.js"], []);
   assert.deepEqual(later.ran[1], ["b.test.js"]);
-  assert.deepEqual([later.isFailed, later.counts, later.later], [false, { passed: 10, failed: 0 }, [`${PASSED_LATER}b.test.js`]]);
+  assert.deepEqual([later.isFailed, later.counts, later.later], [false, { passed: 10, failed: 0 }, Array(2).fill(`${PASSED_LATER}b.test.js  ✖ a test  wrong`)]);
   const twice = await twoRuns(["b.test.js", "d.test.js"], ["d.test.js"]);
   assert.deepEqual([twice.isFailed, twice.counts, twice.later], [true, { passed: 10, failed: 1 }, []]);
   const many = await twoRuns(["a.test.js", "b.test.js", "c.test.js"], []);

@@ -2,11 +2,12 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { DirectrixError, load } from "directrix";
+import { load } from "directrix";
 import { OBJLoader } from "three/addons/loaders/OBJLoader.js";
 import { PLYLoader } from "three/addons/loaders/PLYLoader.js";
 import { STLLoader } from "three/addons/loaders/STLLoader.js";
 import { completed } from "../../www/src/kernel.js";
+import { refused } from "./refused.js";
 
 /** @import { BufferGeometry, Mesh } from "three" */
 /** @import { CurvesDocument, Solid, SolidFileOptions, SpaceDocument, SpacePoint } from "directrix" */
@@ -21,17 +22,6 @@ function lifted(name, height = 30) {
   const document = preset(name);
   document.curves[1].height = height;
   return document;
-}
-
-/** @param {() => unknown} call */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return error;
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
 }
 
 /**

@@ -1,10 +1,11 @@
 /** Stacks of more than two curves through the package: shapes of results, spans, refusals, the module without them. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { DirectrixError, load } from "directrix";
+import { load } from "directrix";
 import { stackCsv } from "../../www/src/files/csv.js";
 import { animatedStack } from "../../www/src/morph/animated-stack.js";
 import { eased } from "../../www/src/morph/motion.js";
+import { refused } from "./refused.js";
 
 /** @import { Curve, CurvesDocument } from "directrix" */
 
@@ -26,17 +27,6 @@ const nest = (rest = {}) => ({
   blend: { kind: "cubic", stages: 4 },
   ...rest,
 });
-
-/** @param {() => unknown} call @returns {DirectrixError} */
-function refused(call) {
-  try {
-    call();
-  } catch (error) {
-    assert.ok(error instanceof DirectrixError, String(error));
-    return error;
-  }
-  throw new assert.AssertionError({ message: "expected a refusal" });
-}
 
 test("a stack has the results of its spans, and totals that add up", () => {
   const match = dx.match(nest());

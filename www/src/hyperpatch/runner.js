@@ -16,6 +16,7 @@
  * @property {CellVerdict[]} verdicts of all cells, in their order; certificates alone until `summary` is there
  * @property {BodySurface} surface with the faces between cells where they are wanted
  * @property {boolean} hasInner whether it has those
+ * @property {boolean} isRenewed whether it has the triangles of a surface before, whatever the shape now needs
  * @property {BodyContinuity | null} continuity null unless it is wanted
  * @property {BodySharing} sharing
  * @property {number} volume
@@ -23,6 +24,7 @@
  * @property {BodySummary | null} summary null until every check has run to its end
  * @property {number} ms from the edit to its certificates
  */
+import { renewSurface } from "../../../js/renew.js";
 import { problem } from "../painter.js";
 import { Lane } from "../state/lane.js";
 import { cellsIn } from "./document.js";
@@ -39,7 +41,7 @@ const REST = 250;
  * @param {(error: Problem) => void} listeners.interrupted the person cancelled, or the module stopped
  */
 export function createRunner(app, wants, { changed, refused, interrupted }) {
-  const { kernel, results } = app;
+  const { kernel, results, store } = app;
   /** @type {BodyDocument | null} */
   let newest = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -57,13 +59,13 @@ export function createRunner(app, wants, { changed, refused, interrupted }) {
       const cellOf = cellsIn(body.cells, await body.coefficients(control));
       const ms = performance.now() - started;
       const wanted = wants();
-      const surface = await body.surface({ faces: wanted.inner ? "all" : "outer" }, control);
+      const { surface, isRenewed } = await surfaceOf(body, wanted.inner, control);
       const continuity = wanted.continuity ? await body.continuity(control) : null;
       const sharing = await body.sharing(control);
       const amounts = await body.amounts(control);
       const volume = body.cells.reduce((sum, cell) => sum + Math.abs(cell.volume), 0);
       /** @type {Known} */
-      const known = { document, body, cells: body.cells, operations: body.operations, cellOf, verdicts, surface, hasInner: wanted.inner, continuity, sharing, volume, amounts, summary: null, ms };
+      const known = { document, body, cells: body.cells, operations: body.operations, cellOf, verdicts, surface, hasInner: wanted.inner, isRenewed, continuity, sharing, volume, amounts, summary: null, ms };
       return known;
     },
     done(known, document) {
@@ -85,7 +87,7 @@ export function createRunner(app, wants, { changed, refused, interrupted }) {
     async work(known, signal) {
       const wanted = wants();
       /** @type {Partial<Known>} */
-      const surface = wanted.inner && !known.hasInner ? { surface: await known.body.surface({ faces: "all" }, { signal }), hasInner: true } : {};
+      const surface = wanted.inner && !known.hasInner ? { surface: await known.body.surface({ faces: "all" }, { signal }), hasInner: true, isRenewed: false } : {};
       /** @type {Partial<Known>} */
       const continuity = wanted.continuity && !known.continuity ? { continuity: await known.body.continuity({ signal }) } : {};
       return { ...surface, ...continuity };
@@ -100,6 +102,20 @@ export function createRunner(app, wants, { changed, refused, interrupted }) {
   });
   /** @type {Known | null} */
   let latest = null;
+
+  /**
+   * The surface of a body. While something is dragged only what differs from the one before comes, and is put into its arrays: it is shown no more.
+   * @param {Known["body"]} body
+   * @param {boolean} hasInner
+   * @param {import("../../../js/directrix.js").Control} control
+   */
+  async function surfaceOf(body, hasInner, control) {
+    const faces = hasInner ? "all" : "outer";
+    const before = store.running && latest?.hasInner === hasInner ? latest.surface : null;
+    if (!before) return { surface: await body.surface({ faces }, control), isRenewed: false };
+    const change = await body.surface({ faces, since: before.id }, control);
+    return renewSurface(before, change) ? { surface: { ...before }, isRenewed: true } : { surface: change, isRenewed: false };
+  }
 
   /** @param {Known} known */
   function tell(known) {
@@ -118,9 +134,12 @@ export function createRunner(app, wants, { changed, refused, interrupted }) {
     checks = new AbortController();
     const control = { signal: checks.signal };
     try {
+      /** @type {Partial<Known>} */
+      const whole = known.isRenewed ? { surface: await known.body.surface({ faces: known.hasInner ? "all" : "outer" }, control), isRenewed: false } : {};
       const verdicts = await known.body.verdicts({}, control);
       const summary = await known.body.summary(control);
-      if (known.document === newest) tell({ ...known, ...(latest?.document === newest ? latest : {}), verdicts, summary });
+      const isSame = latest?.surface === known.surface;
+      if (known.document === newest) tell({ ...known, ...(latest?.document === newest ? latest : {}), ...(isSame ? whole : {}), verdicts, summary });
     } catch (error) {
       const reason = problem(error);
       if (known.document === newest) interrupted(reason);
