@@ -10,7 +10,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { writeOffline } from "../../scripts/lib/offline.mjs";
 import { dist } from "../../scripts/lib/paths.mjs";
-import { eventually, documentOf, field, handle, pick, ready, status } from "./page/workbench.js";
+import { choosePoint, documentOf, eventually, field, pick, ready, status } from "./page/workbench.js";
 import { launch, watch } from "./support/browser.js";
 import { serve } from "./support/server.js";
 
@@ -71,10 +71,7 @@ const builds = (page) => page.evaluate(async () => (await caches.keys()).filter(
 
 /** Types 3.21 for x of the first point. @param {Page} page */
 async function moveFirstPoint(page) {
-  const [[x]] = (await documentOf(page)).curves[0].points;
-  await handle(page, "A1").focus();
-  // What is typed before the field shows this point would be taken back.
-  await eventually(async () => assert.equal(Number(await field(page, "x").inputValue()), x));
+  await choosePoint(page, "A1");
   await field(page, "x").fill("3.21");
   await field(page, "x").press("Enter");
   await eventually(async () => assert.equal((await documentOf(page)).curves[0].points[0][0], 3.21));

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage, openRaw } from "./open.js";
-import { documentOf, eventually, field, handle, pick, status } from "./workbench.js";
+import { choosePoint, documentOf, eventually, field, handle, pick, status } from "./workbench.js";
 
 test("the page opens on a finished figure with its certificates", async (t) => {
   const page = await openPage(t);
@@ -43,7 +43,7 @@ test("a curve that crosses itself is named with the place, and the document stay
   const page = await openPage(t);
   const { curves } = await documentOf(page);
   const [x, y] = curves[1].points[Math.floor(curves[1].points.length / 2)];
-  await handle(page, "B1").focus();
+  await choosePoint(page, "B1");
   await field(page, "x").fill(String(x * 1.6));
   await page.keyboard.press("Enter");
   await field(page, "y").fill(String(y * 1.6));
@@ -123,7 +123,13 @@ test("long work can be cancelled, and the last picture and the document stay", a
   });
   const picture = () =>
     page.locator("#picture").evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
-  const before = await picture();
+  // A page that rests is painted once more, finer.
+  const before = await eventually(async () => {
+    const seen = await picture();
+    await page.waitForTimeout(300);
+    assert.equal(await picture(), seen);
+    return seen;
+  });
   await page.evaluate("globalThis.hold = true");
   await page.locator("[data-more] summary").click();
   await pick(page, "negative", "half");

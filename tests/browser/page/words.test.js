@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./open.js";
-import { drag, eventually, field, handle, middle, pick } from "./workbench.js";
+import { choosePoint, drag, eventually, field, handle, middle, pick } from "./workbench.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -52,7 +52,7 @@ test("what fails is in the words, and an error is as well", async (t) => {
   await page.locator("#outcome").waitFor({ state: "attached" });
   await page.locator("select").filter({ hasText: "Same parameter" }).or(page.locator("[data-select=method]")).first().selectOption("parameter");
   await eventually(async () => assert.match((await page.locator("#outcome").textContent()) ?? "", /^44 lines, \d+ crossing, \d+ blocked/));
-  await handle(page, "B3").focus();
+  await choosePoint(page, "B3");
   await field(page, "x").fill("-56");
   await field(page, "x").press("Enter");
   await eventually(async () => assert.match((await page.locator("#outcome").textContent()) ?? "", /cross|meet/i));

@@ -116,6 +116,19 @@ export async function coordinates(page, name) {
 }
 
 /**
+ * Chooses a point by the keyboard, and waits until the fields show it: what is typed before would be taken back.
+ * @param {Page} page
+ * @param {string} name
+ */
+export async function choosePoint(page, name) {
+  const { curves } = await documentOf(page);
+  const [x, y] = curves["AB".indexOf(name[0])].points[Number(name.slice(1)) - 1];
+  await handle(page, name).focus();
+  const value = async (/** @type {string} */ axis) => Number((await field(page, axis).inputValue()).replace("\u2212", "-"));
+  await eventually(async () => assert.deepEqual([await value("x"), await value("y")], [x, y]));
+}
+
+/**
  * The middle of an element on the screen.
  * @param {import("playwright-core").Locator} locator
  * @returns {Promise<[number, number]>}
