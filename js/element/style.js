@@ -1,4 +1,5 @@
 /** The style sheet of a figure, kept from that of its page. */
+import { sheetsOf } from "./sheets.js";
 
 const CSS = `
 :host { display: block; }
@@ -196,20 +197,5 @@ input:focus-visible::-moz-range-thumb { outline: 2px solid var(--accent); outlin
 }
 `;
 
-/** @type {WeakMap<Document, CSSStyleSheet>} */
-const sheets = new WeakMap();
-
-/**
- * The sheet for the figures of a document: no style element, which a policy of the page may forbid.
- *
- * @param {Document} owner
- */
-export function sheetOf(owner) {
-  let sheet = sheets.get(owner);
-  if (!sheet) {
-    sheet = new (owner.defaultView?.CSSStyleSheet ?? CSSStyleSheet)();
-    sheet.replaceSync(CSS);
-    sheets.set(owner, sheet);
-  }
-  return sheet;
-}
+/** The sheet for the figures of a document. */
+export const sheetOf = sheetsOf(CSS);

@@ -4,6 +4,7 @@
 //! [`Overlap`](crate::field::Overlap) composes. [`RasterJob`] evaluates a part on pixels in tiles; a point is evaluated without a grid.
 
 mod body;
+mod frame;
 mod isolines;
 mod paint;
 mod path;
@@ -14,10 +15,11 @@ mod shape;
 mod writer;
 
 pub use body::{Body, Composing, Feature, Part, Place, Region};
+pub use frame::{Frame, FrameError, MOST_MEMORY, MOST_PIXELS, MOST_PRINTED_PIXELS};
 pub use isolines::{PartIsoline, isolines};
 pub use paint::Palette;
 pub use path::Path;
-pub use raster::{Frame, FrameError, MOST_MEMORY, MOST_PIXELS, MOST_PRINTED_PIXELS, Raster, RasterJob};
+pub use raster::{Raster, RasterJob};
 pub use reference::Reference;
 pub use shape::Shape;
 pub use writer::{PartFormat, Writer};

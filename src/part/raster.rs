@@ -1,139 +1,12 @@
 //! Parts on pixels.
 
-use super::{Body, Composing, Part};
-use crate::field::{Grid, PrintedJob};
-use crate::geom::Bounds;
+use super::{Body, Composing, Frame, FrameError, Part};
+use crate::field::PrintedJob;
 use glam::{DVec2, dvec2};
-use std::error::Error;
-use std::fmt;
 use std::ops::Deref;
 
-/// Most pixels of a raster: 2048 x 2048. More would take too long to hand over at once.
-pub const MOST_PIXELS: usize = 1 << 22;
-/// Most pixels of a raster with a body by the printed rule: 1024 x 1024.
-pub const MOST_PRINTED_PIXELS: usize = 1 << 20;
-/// Most memory that a raster may need, in bytes: 256 MiB.
-pub const MOST_MEMORY: usize = 1 << 28;
 /// Pixels along the side of a tile.
 const TILE: usize = 16;
-
-/// A box in the plane, and how many pixels there are in it. Pixels stand in rows from the top, as in pictures; each is evaluated at its centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
-    bounds: Bounds,
-    size: [usize; 2],
-}
-
-/// Why there is no such raster.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrameError {
-    /// The box has no width or no height, or is not finite.
-    Empty,
-    /// There are no pixels, or more than [`MOST_PIXELS`].
-    Pixels([usize; 2]),
-    /// There are more than [`MOST_PRINTED_PIXELS`], and a body by the printed rule.
-    Printed([usize; 2]),
-    /// So many bytes would be needed, more than [`MOST_MEMORY`].
-    Memory(usize),
-}
-
-impl fmt::Display for FrameError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Empty => write!(f, "the box has no area; expected a width and a height above 0"),
-            Self::Pixels([x, y]) => {
-                write!(f, "{x} x {y} pixels were found; expected 1 to {MOST_PIXELS} in all")
-            }
-            Self::Printed([x, y]) => write!(
-                f,
-                "{x} x {y} pixels were found; expected {MOST_PRINTED_PIXELS} in all at most, because a body is by the printed rule"
-            ),
-            Self::Memory(bytes) => {
-                write!(f, "about {} MiB would be needed; expected {} at most", bytes >> 20, MOST_MEMORY >> 20)
-            }
-        }
-    }
-}
-
-impl Error for FrameError {}
-
-impl Frame {
-    /// # Errors
-    /// When the box has no area, or there are no pixels or too many.
-    pub fn new(bounds: Bounds, size: [usize; 2]) -> Result<Self, FrameError> {
-        let extent = bounds.max - bounds.min;
-        if !(extent.is_finite() && extent.min_element() > 0.0) {
-            return Err(FrameError::Empty);
-        }
-        match size[0].checked_mul(size[1]) {
-            Some(1..=MOST_PIXELS) => Ok(Self { bounds, size }),
-            _ => Err(FrameError::Pixels(size)),
-        }
-    }
-
-    /// The box.
-    #[must_use]
-    pub fn bounds(&self) -> Bounds {
-        self.bounds
-    }
-
-    /// Pixels along x and y.
-    #[must_use]
-    pub fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
-    /// Number of pixels.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.size[0] * self.size[1]
-    }
-
-    /// Width and height of a pixel.
-    #[must_use]
-    pub fn step(&self) -> DVec2 {
-        (self.bounds.max - self.bounds.min) / dvec2(self.size[0] as f64, self.size[1] as f64)
-    }
-
-    /// The centre of pixel `i` of row `j`.
-    #[must_use]
-    pub fn center(&self, i: usize, j: usize) -> DVec2 {
-        let step = self.step();
-        let offset = dvec2(i as f64 + 0.5, j as f64 + 0.5) * step;
-        dvec2(self.bounds.min.x + offset.x, self.bounds.max.y - offset.y)
-    }
-
-    /// The grid of the pixels, for kernels on grids.
-    #[must_use]
-    pub fn grid(&self) -> Option<Grid> {
-        let step = self.step();
-        Grid::new([self.size[0], self.size[1], 1], [step.x, step.y, 1.0]).ok()
-    }
-
-    /// Refuses a raster of a part that is too large.
-    ///
-    /// # Errors
-    /// When more memory is needed than [`MOST_MEMORY`], or a body by the printed rule has more than [`MOST_PRINTED_PIXELS`].
-    pub fn check(&self, part: &Part) -> Result<(), FrameError> {
-        let memory = self.memory(part);
-        let is_printed = |body: &Body| body.composing == Composing::Printed;
-        if self.count() > MOST_PRINTED_PIXELS && part.bodies.iter().flatten().any(is_printed) {
-            return Err(FrameError::Printed(self.size));
-        }
-        if memory > MOST_MEMORY { Err(FrameError::Memory(memory)) } else { Ok(()) }
-    }
-
-    /// Bytes that the raster of a part needs.
-    #[must_use]
-    pub fn memory(&self, part: &Part) -> usize {
-        // A number of the body, a leaf, a fraction of each material, and a colour.
-        let each = 9 + 4 * part.materials;
-        let printed = part.bodies.iter().flatten().filter(|body| body.composing == Composing::Printed);
-        // Distances to each feature, what the job makes, and two transforms with their marks.
-        let most = printed.map(|body| 4 * (body.features.len() + part.materials) + 40).max().unwrap_or(0);
-        self.count() * (each + most)
-    }
-}
 
 /// What a part holds on pixels.
 #[derive(Debug, Clone, PartialEq)]
@@ -234,7 +107,7 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
         loop {
             let stage = std::mem::replace(&mut self.stage, Stage::Done);
             self.stage = match stage {
-                Stage::Rows(row) if row < self.raster.frame.size[1] => {
+                Stage::Rows(row) if row < self.raster.frame.size()[1] => {
                     self.fill_row(row);
                     Stage::Rows(row + 1)
                 }
@@ -253,7 +126,7 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
     #[must_use]
     pub fn progress(&self) -> f64 {
         match &self.stage {
-            Stage::Rows(row) => 0.1 * *row as f64 / self.raster.frame.size[1] as f64,
+            Stage::Rows(row) => 0.1 * *row as f64 / self.raster.frame.size()[1] as f64,
             Stage::Tiles(tile, _) => 0.1 + 0.7 * *tile as f64 / self.tiles() as f64,
             Stage::Printing(body, job) => {
                 let bodies = self.part.bodies.len().max(1) as f64;
@@ -279,17 +152,17 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
     fn fill_row(&mut self, row: usize) {
         let frame = self.raster.frame;
         let start = frame.center(0, row);
-        let marks = &mut self.raster.body[row * frame.size[0]..(row + 1) * frame.size[0]];
+        let marks = &mut self.raster.body[row * frame.size()[0]..(row + 1) * frame.size()[0]];
         for (index, body) in self.part.bodies.iter().enumerate() {
             if let Some(body) = body {
                 let mark = |column: usize| marks[column] = index as u8 + 1;
-                body.region.row(start.y, start.x, frame.step().x, mark, frame.size[0]);
+                body.region.row(start.y, start.x, frame.step().x, mark, frame.size()[0]);
             }
         }
     }
 
     fn tiles(&self) -> usize {
-        self.raster.frame.size.map(|along| along.div_ceil(TILE)).iter().product()
+        self.raster.frame.size().map(|along| along.div_ceil(TILE)).iter().product()
     }
 
     /// The next tile that has pixels of a body, and what comes after it.
@@ -314,7 +187,7 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
     /// Evaluates the pixels that a body has in a tile; returns whether there are any.
     fn compose(&mut self, tile: usize, index: usize) -> bool {
         let (frame, part) = (self.raster.frame, &*self.part);
-        let [nx, ny] = frame.size;
+        let [nx, ny] = frame.size();
         let columns = nx.div_ceil(TILE);
         let [x, y] = [tile % columns * TILE, tile / columns * TILE];
         let [width, height] = [TILE.min(nx - x), TILE.min(ny - y)];
@@ -636,21 +509,12 @@ mod tests {
     }
 
     #[test]
-    fn frames_without_area_and_beyond_memory_are_refused() {
-        let bounds = |width: f64| Bounds { min: DVec2::ZERO, max: dvec2(width, 1.0) };
-        assert_eq!(Frame::new(bounds(0.0), [4, 4]), Err(FrameError::Empty));
-        assert_eq!(Frame::new(bounds(f64::INFINITY), [4, 4]), Err(FrameError::Empty));
-        assert_eq!(Frame::new(bounds(1.0), [0, 4]), Err(FrameError::Pixels([0, 4])));
-        assert_eq!(Frame::new(bounds(1.0), [2049, 2048]), Err(FrameError::Pixels([2049, 2048])));
-        let frame = Frame::new(bounds(1.0), [2048, 2048]).expect("a frame");
-        let wide = Part { materials: 16, bodies: Vec::new() };
-        assert!(
-            matches!(RasterJob::new(&wide, frame), Err(FrameError::Memory(bytes)) if bytes > MOST_MEMORY)
-        );
-        assert!(RasterJob::new(&Part { materials: 2, bodies: Vec::new() }, frame).is_ok());
-        let mut printed = two_profiles(Rule::Repaired);
-        printed.bodies[0].as_mut().expect("a body").composing = Composing::Printed;
-        assert_eq!(RasterJob::new(&printed, frame).err(), Some(FrameError::Printed([2048, 2048])));
+    fn too_many_pixels_for_the_printed_rule_are_refused_before_the_work_begins() {
+        let mut part = two_profiles(Rule::Repaired);
+        let frame = Frame::new(part.bounds().expect("a body"), [2048, 2048]).expect("a frame");
+        assert!(RasterJob::new(&part, frame).is_ok());
+        part.bodies[0].as_mut().expect("a body").composing = Composing::Printed;
+        assert_eq!(RasterJob::new(&part, frame).err(), Some(FrameError::Printed([2048, 2048])));
     }
 
     #[test]

@@ -227,13 +227,6 @@ export const strings = {
     morph: "Morph",
     solid: "Solid",
     scale: "Scale",
-    size: "Size in pixels",
-    width: "Width",
-    height: "Height",
-    theme: "Colours",
-    themes: { light: "Light", dark: "Dark" },
-    background: "Background",
-    transparent: "transparent",
     table: "Table",
     tables: { lines: "Ruling lines", stages: "Stages" },
     notes: {

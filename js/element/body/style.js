@@ -1,4 +1,5 @@
 /** The style sheet that a figure of a body has besides that of every figure. */
+import { sheetsOf } from "../sheets.js";
 
 const CSS = `
 .orbit { position: absolute; inset: 0; z-index: 1; outline: 0; cursor: grab; }
@@ -21,16 +22,5 @@ const CSS = `
 @media (forced-colors: active) { .zooms button { border: 1px solid ButtonText; } }
 `;
 
-/** @type {WeakMap<Document, CSSStyleSheet>} */
-const sheets = new WeakMap();
-
-/** The sheet for the figures of a document, see ../style.js. @param {Document} owner */
-export function bodySheetOf(owner) {
-  let sheet = sheets.get(owner);
-  if (!sheet) {
-    sheet = new (owner.defaultView?.CSSStyleSheet ?? CSSStyleSheet)();
-    sheet.replaceSync(CSS);
-    sheets.set(owner, sheet);
-  }
-  return sheet;
-}
+/** The sheet for the figures of bodies of a document. */
+export const bodySheetOf = sheetsOf(CSS);

@@ -1,20 +1,12 @@
 /**
  * Rows of an export that is a picture: its size, its colours, its background.
  *
- * @typedef {object} PictureWords
- * @property {string} width
- * @property {string} height
- * @property {string} size
- * @property {string} theme
- * @property {{light: string, dark: string}} themes
- * @property {string} background
- * @property {string} transparent
- *
  * @typedef {{width: number, height: number, theme: "light" | "dark", transparent: boolean}} PictureWanted
  */
 import { checkBox, segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
+import { words } from "./picture-words.js";
 
 /** Smallest side of a picture in pixels. */
 const SMALLEST = 16;
@@ -22,11 +14,10 @@ const SMALLEST = 16;
 /**
  * @param {object} options
  * @param {string} options.name before the names of the controls
- * @param {PictureWords} options.words
  * @param {number} options.largest side in pixels
  * @param {(patch: Partial<PictureWanted>) => void} change
  */
-export function pictureRows({ name, words, largest }, change) {
+export function pictureRows({ name, largest }, change) {
   const side = (/** @type {"width" | "height"} */ which) =>
     numberField(
       { label: words[which], name: `${name}-${which}`, prefix: words[which].charAt(0), min: SMALLEST, max: largest, step: 1, decimals: 0, whole: true },

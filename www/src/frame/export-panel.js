@@ -63,7 +63,7 @@ export function showExport(app) {
     { label: words.scale, name: "export-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) },
     (value) => change(scaledSize(app.ui.value.size, Number(value))),
   );
-  const picture = pictureRows({ name: "export", words, largest: LARGEST }, change);
+  const picture = pictureRows({ name: "export", largest: LARGEST }, change);
   const table = segment(
     {
       label: words.table,

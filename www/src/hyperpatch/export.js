@@ -51,7 +51,7 @@ export function showBodyExport(app) {
     const text = words.exports.picture;
     /** @type {import("../files/picture-rows.js").PictureWanted} */
     const wanted = { ...last, theme: app.ui.value.theme, ...scaledSize(size, Number(SCALES[1])) };
-    const rows = pictureRows({ name: "body", words: text, largest: LARGEST }, change);
+    const rows = pictureRows({ name: "body", largest: LARGEST }, change);
     const scale = segment({ label: text.scale, name: "body-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) }, (value) => change(scaledSize(size, Number(value))));
 
     /** @param {Partial<typeof wanted>} patch */

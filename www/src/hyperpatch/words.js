@@ -1,4 +1,6 @@
 /** What a person reads in the workbench Hyperpatch. */
+import { verdictNames } from "./verdict-words.js";
+
 export const words = {
   region: "Groups of the body",
   loading: "Working…",
@@ -15,13 +17,7 @@ export const words = {
   cancel: "Cancel",
   zoom: { region: "Zoom", in: "Zoom in", out: "Zoom out", fit: "Fit the body" },
   groups: { cells: "Cells", corner: "Corner", section: "Section", materials: "Materials", show: "Display" },
-  verdicts: /** @type {Record<import("../../../js/directrix.js").VerdictName, string>} */ ({
-    regular: "regular",
-    valid: "valid",
-    "locally-valid": "locally valid",
-    degenerate: "degenerate",
-    invalid: "invalid",
-  }),
+  verdicts: verdictNames,
   means: /** @type {Record<import("../../../js/directrix.js").VerdictName, string>} */ ({
     regular: "The cone condition holds: no two places of the cell are one point.",
     valid: "The Jacobian is proven positive, and the boundary meets itself nowhere.",
@@ -143,13 +139,6 @@ export const words = {
     picture: {
       heading: "Picture, PNG",
       scale: "Scale",
-      size: "Size in pixels",
-      width: "Width",
-      height: "Height",
-      theme: "Colours",
-      themes: { light: "Light", dark: "Dark" },
-      background: "Background",
-      transparent: "transparent",
       download: "Download PNG",
       copy: "Copy",
       copied: "The picture is copied",

@@ -1,4 +1,6 @@
 /** What figures of bodies say in lessons; loaded with them. */
+import { verdictNames } from "../hyperpatch/verdict-words.js";
+
 export const words = {
   parameter: (/** @type {string} */ name) => `Parameter ${name}`,
   which: "Coefficient",
@@ -7,13 +9,7 @@ export const words = {
   coordinate: (/** @type {string} */ axis) => `${axis} of the coefficient`,
   handle: (/** @type {readonly number[]} */ index, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ z) =>
     `Coefficient ${index.join(" ")}, x ${x}, y ${y}, z ${z}. Left and right move it along x, up and down along z`,
-  verdicts: /** @type {Record<import("../../../js/directrix.js").VerdictName, string>} */ ({
-    regular: "regular",
-    valid: "valid",
-    "locally-valid": "locally valid",
-    degenerate: "degenerate",
-    invalid: "invalid",
-  }),
+  verdicts: verdictNames,
   table: {
     coefficient: "Coefficient",
     weight: "Weight",

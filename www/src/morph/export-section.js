@@ -97,7 +97,7 @@ export function createMorphExport(app) {
     { label: words.rate, name: "morph-rate", choices: RATES.map((value) => ({ value, text: value })) },
     (value) => change({ rate: value }),
   );
-  const picture = pictureRows({ name: "morph", words, largest: LARGEST_FILM }, change);
+  const picture = pictureRows({ name: "morph", largest: LARGEST_FILM }, change);
   const within = numberField(
     {
       label: words.toleranceLabel(app.store.document.unit),

@@ -58,7 +58,7 @@ export function createSolidExport(app) {
     (value) => change({ color: /** @type {SolidColor} */ (value) }),
   );
   const caps = checkBox({ name: "solid-export-caps", text: [text.closed] }, (on) => change({ caps: on }));
-  const picture = pictureRows({ name: "solid", words: text, largest: LARGEST }, change);
+  const picture = pictureRows({ name: "solid", largest: LARGEST }, change);
   const rows = {
     color: row(text.color, colors),
     caps: row(text.caps, caps),
