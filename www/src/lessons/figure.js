@@ -28,7 +28,7 @@
 import { h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";
-import { isBody } from "../hyperpatch/kind.js";
+import { isCurves } from "../state/kind.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
 import { hasSpace } from "../state/in-space.js";
@@ -42,7 +42,7 @@ import { words } from "./words.js";
 
 /** Why a figure of curves cannot show a document; null where it can. @param {CurvesDocument} document */
 function lackOf(document) {
-  if (isBody(document)) return words.needsCurves;
+  if (!isCurves(document)) return words.needsCurves;
   if (document.curves.length < 2) return words.needsTwo;
   return hasSpace(document) ? words.planeOnly : null;
 }

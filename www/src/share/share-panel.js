@@ -15,7 +15,7 @@ import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
 import { written } from "../files/written.js";
 import { openPanel } from "../frame/panel.js";
-import { isBody } from "../hyperpatch/kind.js";
+import { isCurves } from "../state/kind.js";
 import { problem } from "../painter.js";
 import { writeLink } from "../../../js/link.js";
 import { linkAddress } from "./address.js";
@@ -204,7 +204,7 @@ export function showShare(app) {
   }
 
   // The page that shows a figure alone, and figures in other pages, have curves.
-  const hasBody = isBody(app.store.document);
+  const hasBody = !isCurves(app.store.document);
   if (hasBody) chosen.tab = "editor";
   choices.tab.element.hidden = hasBody;
   const panel = openPanel({

@@ -16,9 +16,8 @@ import { handleCount } from "../state/edits.js";
 import { whole } from "../state/selection.js";
 import { openCurveThrough } from "../state/through-open.js";
 import { curveThrough } from "../state/through.js";
-import { strings } from "../strings.js";
 import { aimed, gridStep, panned, toPlane, toScreen } from "../view.js";
-import { words as openWords } from "./draw-words.js";
+import { openWords, words } from "./draw-words.js";
 import { rested } from "./snap.js";
 
 /** Fewest points of a closed curve, and of an open one. */
@@ -38,8 +37,6 @@ const MOST = 40;
 const STEP = 10;
 /** Chords of one knot span of the preview, whose spans may be long. */
 const CHORDS = 32;
-
-const words = strings.draw;
 
 /**
  * Takes the canvas until the curve is closed or given up.
