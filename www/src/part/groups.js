@@ -71,7 +71,7 @@ export function checksGroup(bench) {
         ),
       );
       facts.replaceChildren(
-        fact(words.status.area, measure(measured.area, unit, 2), "area"),
+        fact(words.checks.area, measure(measured.area, unit, 2), "area"),
         fact(words.checks.sum, isOne(measured.sumError) ? "1" : `1 ± ${significantText(measured.sumError)}`, "sum"),
         fact(words.checks.clamped, fixed(measured.clamped, 0), "clamped"),
         fact(words.checks.overlap, percent(measured.overlap), "overlap"),

@@ -31,7 +31,7 @@ export function createLegend(bench) {
       drawn = key;
       element.replaceChildren(
         ...(isDifference
-          ? [h("div", { class: "legend-row" }, h("span", {}, words.legend.difference), h("span", { class: "legend-bar viridis" }), h("span", {})), scale([0, 0.5, 1].map(percent))]
+          ? [h("div", { class: "part-scale" }, h("div", { class: "legend-row" }, h("span", {}, words.legend.difference), h("span", { class: "legend-bar viridis" }), h("span", {})), scale([0, 0.5, 1].map(percent)))]
           : materials.slice(0, NAMED).map(({ name, color }, i) => {
               const swatch = h("span", { class: "part-swatch" });
               swatch.style.backgroundColor = color;

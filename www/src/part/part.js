@@ -6,6 +6,7 @@
  */
 import "../../styles/modes.css";
 import "../../styles/push.css";
+import "../../styles/space.css";
 import "../../styles/part.css";
 import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
@@ -15,6 +16,7 @@ import { createZoom } from "../stage/zoom.js";
 import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
 import { createCanvas } from "./canvas.js";
+import { createCompare } from "./compare.js";
 import { partOf } from "./document.js";
 import { checksGroup, displayGroup, leavesGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
@@ -109,9 +111,10 @@ function openWorkbench(app) {
   const lines = createLines(bench);
   const probe = createProbe(bench);
   const legend = createLegend(bench);
+  const compare = createCompare(bench);
   const scale = h("div", { class: "scale", "aria-hidden": "true" });
   const zoomAt = h("div", { class: "zoom", role: "group", "aria-label": strings.canvas.zoom, "data-furniture": "" });
-  const foot = h("div", { class: "morph part-foot" }, scale, h("span", {}), zoomAt);
+  const foot = h("div", { class: "morph part-foot" }, scale, legend.element, zoomAt);
   const zoom = createZoom(app, { zoom: zoomAt, scale });
   const look = segment(
     { label: words.look.label, name: "part-look", choices: /** @type {const} */ (["colors", "leaves", "compare"]).map((value) => ({ value, text: words.look[value] })) },
@@ -123,9 +126,9 @@ function openWorkbench(app) {
     canvas,
     /** @type {any} */ (lines.element),
     ...probe.nodes,
-    legend.element,
     told,
     foot,
+    compare.element,
   );
   const groupsAt = h("div", { class: "part-groups groups" });
   aside.append(groupsAt);
@@ -269,6 +272,7 @@ function openWorkbench(app) {
     lines.render();
     probe.render();
     legend.render();
+    compare.render();
     groups.render();
     stage.dataset.part = known?.document !== document ? "" : known.measured ? "measured" : "shown";
     renderStatus(bench, status, { reason, cancel: runner.cancel, retry });
@@ -282,6 +286,7 @@ function openWorkbench(app) {
       if (timer) keepNow();
       runner.close();
       probe.close();
+      compare.close();
       stage.remove();
       aside.remove();
       list.remove();

@@ -32,7 +32,7 @@
  * @property {PartRaster | null} reference the same pixels by the rule `repaired`, where the difference is shown
  * @property {Measured | null} measured of the whole part; null until the document rests
  * @property {boolean} isFine whether it has the pixels of the screen
- * @property {number} ms from the edit to its picture
+ * @property {number} ms that the pixels took
  *
  * @typedef {Awaited<ReturnType<RemotePart["violations"]>>} Violations
  * @typedef {Awaited<ReturnType<RemotePart["leaves"]>>[number]} LeafRow
