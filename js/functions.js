@@ -23,5 +23,6 @@ export const FUNCTIONS = /** @type {const} */ ([
   "hyperpatch",
   "merge",
   "distanceTransform",
+  "transformSteps",
   "part",
 ]);

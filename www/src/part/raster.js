@@ -12,11 +12,11 @@ import { toPlane } from "../view.js";
 export const COARSE = 120_000;
 export const FINE = 2_400_000;
 /** Pixels for the lines of equal fraction: the kernel takes about a million. */
-export const LINES = 1_000_000;
+export const LINES = 300_000;
 /** Voxels along the longer side of a part with a body by the rule `printed`, while something moves and when it rests. */
-export const VOXELS = { coarse: 160, fine: 480 };
-/** Pixels along the longer side of a part for its measures. */
-export const MEASURED = 512;
+export const VOXELS = { coarse: 160, fine: 500 };
+/** Pixels along the longer side of a part for its measures, where it needs no voxels. */
+export const MEASURED = 1000;
 
 /** Whether a body takes voxels, so that its composition depends on their number. @param {WholePart} document */
 export const needsVoxels = ({ bodies }) => bodies.some(({ rule }) => rule === "printed");

@@ -49,7 +49,6 @@ export function createRunner(app, { changed, refused, interrupted }) {
   /** @type {Lane<Job, Known>} */
   const lane = new Lane({
     async work(job, signal) {
-      const started = performance.now();
       [isSuperseded, isFineRunning] = [false, job.isFine];
       /** @type {Control} */
       const control = { signal, onprogress: (progress) => results.set({ progress }) };
@@ -57,7 +56,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
       const part = latest?.document === document ? latest.part : await kernel.part(document, control);
       const found = await look(part, job, control);
       /** @type {Known} */
-      const known = { document, part, ...found, measured: latest?.document === document ? latest.measured : null, isFine: job.isFine, ms: performance.now() - started };
+      const known = { document, part, ...found, measured: latest?.document === document ? latest.measured : null, isFine: job.isFine };
       if (!job.isFine || known.measured) return known;
       // The picture does not wait for the measures.
       if (document === newest?.document) tell(known);
@@ -93,20 +92,22 @@ export function createRunner(app, { changed, refused, interrupted }) {
     const frame = frameOf(part, job);
     const { shown, isFine, document } = job;
     const empty = { size: /** @type {[number, number]} */ ([1, 1]), box: visibleFrame(job.view, job.size, 1, 1).box };
-    const raster = await part.evaluate({ ...(frame ?? empty), colors: true }, control);
+    const started = performance.now();
     const at = frame ?? empty;
+    const raster = await part.evaluate({ ...at, colors: true }, control);
+    const ms = performance.now() - started;
     const violations = shown.violations && (document.rules ?? []).length > 0 ? await part.violations(at, control) : null;
     const isolines =
       shown.isolines === null ? null : await part.isolines({ ...thinned(at, LINES), material: shown.isolines, levels: LEVELS[isFine ? "fine" : "coarse"] }, control);
     const reference = shown.difference && needsVoxels(document) ? await (await kernel.part(repaired(document), control)).evaluate(at, control) : null;
-    return { raster, violations, isolines, reference };
+    return { raster, ms, violations, isolines, reference };
   }
 
   /** @param {Known["part"]} part @param {WholePart} document @param {Control} control @returns {Promise<Measured>} */
   async function measure(part, document, control) {
     const none = { area: 0, amounts: (document.materials ?? []).map(() => 0), leaves: [], overlap: 0, sumError: 0, clamped: 0, rules: [], pixels: 0 };
     if (!part.box) return none;
-    const frame = wholeFrame(part.box, MEASURED);
+    const frame = wholeFrame(part.box, needsVoxels(document) ? VOXELS.fine : MEASURED);
     const raster = await part.evaluate(frame, control);
     const { area, amounts } = await part.amounts(frame, control);
     const leaves = await part.leaves(frame, control);
