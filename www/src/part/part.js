@@ -22,11 +22,15 @@ import { checksGroup, displayGroup, leavesGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
 import { createLines } from "./lines.js";
 import { createProbe } from "./probe.js";
+import { createProfileGroups } from "./profile/groups.js";
+import { createRuleGroups } from "./rules/groups.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
 import { createSheets } from "./sheets.js";
 import { extentOf, FIRST_SHOWN, stepIn, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
+import { treeGroup } from "./tree/place.js";
+import { createTree } from "./tree/tree.js";
 import { words } from "./words.js";
 
 /** Of documents that are shown here. */
@@ -37,7 +41,7 @@ const REST = 250;
 const ROOM = { top: 56, side: 40 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
-let memory = { open: ["checks", "leaves", "display"], tab: "display" };
+let memory = { open: ["tree", "feature", "profile", "overlap", "rules", "checks", "leaves", "display"], tab: "tree" };
 /** @param {App} app */
 export function createPart(app) {
   /** @type {ReturnType<typeof openWorkbench> | null} */
@@ -132,7 +136,9 @@ function openWorkbench(app) {
   );
   const groupsAt = h("div", { class: "part-groups groups" });
   aside.append(groupsAt);
-  const groups = createGroups(groupsAt, words.region, [checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
+  const tree = createTree(bench);
+  const pieces = [treeGroup(tree, list, over.signal), ...createProfileGroups(bench), ...createRuleGroups(bench)];
+  const groups = createGroups(groupsAt, words.region, [...pieces, checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };
@@ -273,6 +279,7 @@ function openWorkbench(app) {
     probe.render();
     legend.render();
     compare.render();
+    tree.render();
     groups.render();
     stage.dataset.part = known?.document !== document ? "" : known.measured ? "measured" : "shown";
     renderStatus(bench, status, { reason, cancel: runner.cancel, retry });
