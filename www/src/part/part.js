@@ -2,20 +2,220 @@
  * The workbench Part: bodies in the plane whose composition is a function of the distances to features.
  *
  * @import { App } from "../state/app.js"
+ * @import { Bench, Known, Shown } from "./state.js"
  */
+import "../../styles/modes.css";
+import "../../styles/push.css";
+import "../../styles/part.css";
+import { find, h } from "../dom.js";
+import { listenToGestures } from "../stage/gestures.js";
+import { createZoom } from "../stage/zoom.js";
 import { isOf } from "../state/kind.js";
+import { strings } from "../strings.js";
+import { createCanvas } from "./canvas.js";
+import { partOf } from "./document.js";
+import { createRunner } from "./runner.js";
+import { leave, leftOf } from "./seen.js";
+import { createSheets } from "./sheets.js";
+import { extentOf, FIRST_SHOWN, stepIn, withoutGone } from "./state.js";
+import { words } from "./words.js";
 
 /** Of documents that are shown here. */
 const KIND = "part";
-
+/** Milliseconds after the last change of view or display before it is kept. */
+const REST = 250;
+/** CSS pixels round a part that is fitted into the picture: at the upper edge and at the sides. */
+const ROOM = { top: 56, side: 40 };
 /** @param {App} app */
 export function createPart(app) {
+  /** @type {ReturnType<typeof openWorkbench> | null} */
+  let open = null;
   const root = document.documentElement;
   return {
     render() {
       const isOn = isOf(app.store.document, KIND) && app.ui.value.workbench !== "lessons";
-      if (isOn) root.dataset.workbench = KIND;
-      else if (root.dataset.workbench === KIND) delete root.dataset.workbench;
+      if (isOn && !open) {
+        root.dataset.workbench = KIND;
+        open = openWorkbench(app);
+      }
+      if (isOn) open?.render();
+      else if (open) {
+        open.close();
+        open = null;
+        if (root.dataset.workbench === KIND) delete root.dataset.workbench;
+      }
+    },
+  };
+}
+
+/** @param {App} app */
+function openWorkbench(app) {
+  const { store, ui } = app;
+  /** @type {Shown} */
+  let shown = FIRST_SHOWN;
+  /** @type {Known | null} */
+  let known = null;
+  /** What was asked for last. */
+  let asked = "";
+  /** @type {ReturnType<typeof partOf> | null} */
+  let askedFor = null;
+  /** The opening of a document that the view belongs to. */
+  let framed = "";
+  const status = find("#status");
+  const over = new AbortController();
+  if (ui.value.layers.length === 0) ui.set({ layers: ["grid"] });
+
+  const stage = h("div", { class: "part-stage", "data-furniture": "" });
+  const aside = h("div", { class: "part-aside" });
+  const list = h("aside", { class: "part-list", "data-furniture": "", "aria-label": words.tree });
+  find("#stage").prepend(stage);
+  find("#stage").before(list);
+  find("#inspector").append(aside);
+  status.replaceChildren();
+
+  /** @type {Bench} */
+  const bench = {
+    app,
+    now: () => ({ document: partOf(app), known, isCurrent: known?.document === partOf(app), shown, view: isFramed() ? ui.value.view : null, size: ui.value.size }),
+    change(patch) {
+      const next = { ...shown, ...patch };
+      shown = next;
+      keepLater();
+      request();
+    },
+    commit: (change, run) => store.commit({ change: /** @type {any} */ (change), ...(run === undefined ? {} : { run }) }),
+    endRun: () => store.endRun(),
+    step: () => stepIn(bench.now().view, ui.value.snap),
+    request,
+  };
+
+  /** Whether the view is one of the open document. */
+  const isFramed = () => framed === store.origin.name;
+
+  const { canvas, draw } = createCanvas();
+  const sheets = createSheets();
+  const scale = h("div", { class: "scale", "aria-hidden": "true" });
+  const zoomAt = h("div", { class: "zoom", role: "group", "aria-label": strings.canvas.zoom, "data-furniture": "" });
+  const foot = h("div", { class: "morph part-foot" }, scale, h("span", {}), zoomAt);
+  const zoom = createZoom(app, { zoom: zoomAt, scale });
+  stage.append(canvas, foot);
+  const gestures = listenToGestures(app, stage, {
+    press: (at) => gestures.pan(at),
+    hover() {},
+    released() {},
+    signal: over.signal,
+  });
+
+  const runner = createRunner(app, {
+    changed(next) {
+      known = next;
+      document.documentElement.dataset.ready = "true";
+      request();
+    },
+    refused({ message }) {
+      ui.set({ note: { tone: "error", text: message } });
+      document.documentElement.dataset.ready = "true";
+      request();
+    },
+    interrupted({ name, code, message }) {
+      const text = name === "AbortError" ? words.cancelled : code === "trap" ? strings.errors.trap : message;
+      ui.set({ note: { tone: name === "AbortError" ? "plain" : "error", text } });
+    },
+  });
+
+  let frame = 0;
+  /** Draws in the next frame, once. */
+  function request() {
+    if (frame === 0) {
+      frame = requestAnimationFrame(() => {
+        frame = 0;
+        if (!over.signal.aborted) render();
+      });
+    }
+  }
+
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  /** Keeps what a reload and the way back bring, once it rests. */
+  function keepLater() {
+    clearTimeout(timer);
+    timer = setTimeout(keepNow, REST);
+  }
+
+  function keepNow() {
+    clearTimeout(timer);
+    if (framed && isFramed()) leave(app, framed, shown);
+  }
+  // Before the page writes down what a reload brings back.
+  for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
+
+  /** Goes on where an opening of a document was left, or shows the whole of a new one. */
+  function frameDocument() {
+    const { name } = store.origin;
+    const { size, view } = ui.value;
+    if (size.width < 1 || size.height < 1) return;
+    const isOther = framed !== name;
+    if (isOther) {
+      const seen = leftOf(app, name);
+      shown = seen?.shown ?? FIRST_SHOWN;
+      framed = name;
+      if (seen?.view) return ui.set({ view: seen.view, fitted: seen.fitted, fitScale: seen.fitScale });
+    }
+    if (isOther || view === null) fit();
+  }
+
+  /** Shows all shapes, clear of what stands at the edges. */
+  function fit() {
+    const { width, height } = ui.value.size;
+    const [[left, low], [right, high]] = extentOf(partOf(app)) ?? [[-1, -1], [1, 1]];
+    const [wide, tall] = [width - 2 * ROOM.side, height - ROOM.top - foot.offsetHeight];
+    const [across, up] = [right - left, high - low];
+    const found = Math.min(Math.max(1, wide) / across, Math.max(1, tall) / up);
+    const toFit = Number.isFinite(found) ? found : 1;
+    ui.set({
+      view: { center: [(left + right) / 2, (low + high) / 2 + (ROOM.top - foot.offsetHeight) / 2 / toFit], scale: toFit },
+      fitted: true,
+      fitScale: toFit,
+    });
+  }
+
+  /** Asks for what the picture lacks. */
+  function ask() {
+    const { view, size } = bench.now();
+    if (!view || size.width < 1 || size.height < 1) return;
+    const ratio = window.devicePixelRatio || 1;
+    const wanted = { document: partOf(app), view, size, ratio, shown };
+    const key = JSON.stringify([view, size, ratio, shown.isolines, shown.violations, shown.difference]);
+    if (key === asked && wanted.document === askedFor) return;
+    [asked, askedFor] = [key, wanted.document];
+    runner.push(wanted);
+  }
+
+  function render() {
+    const document = partOf(app);
+    if (!isOf(document, KIND)) return;
+    frameDocument();
+    shown = withoutGone(shown, document);
+    ask();
+    const { view, size } = bench.now();
+    const { theme, layers } = ui.value;
+    if (view && known) draw({ view, size, theme, hasGrid: layers.includes("grid"), ...sheets.of(known, shown) });
+    zoom.render();
+  }
+
+  return {
+    render,
+    close() {
+      over.abort();
+      cancelAnimationFrame(frame);
+      if (timer) keepNow();
+      runner.close();
+      stage.remove();
+      aside.remove();
+      list.remove();
+      status.replaceChildren();
+      delete status.dataset.verdict;
     },
   };
 }

@@ -12,6 +12,8 @@ export const PRESETS = [
 ];
 
 export const words = {
+  tree: "Features",
+  cancelled: "Cancelled",
   exports: { heading: "Export" },
   gallery: { heading: "Gallery of parts", open: (/** @type {string} */ title) => `Opened ${title}` },
 };

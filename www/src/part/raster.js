@@ -1,0 +1,59 @@
+/**
+ * Which pixels of a part are evaluated: of the visible box as many as time allows, or of the whole part where a body needs voxels.
+ *
+ * @import { Point, Size, View } from "../types.js"
+ * @import { WholePart } from "./document.js"
+ *
+ * @typedef {{box: [Point, Point], size: [number, number]}} Frame
+ */
+import { toPlane } from "../view.js";
+
+/** Pixels evaluated at most while something moves, and when it rests. */
+export const COARSE = 120_000;
+export const FINE = 2_400_000;
+/** Pixels for the lines of equal fraction: the kernel takes about a million. */
+export const LINES = 1_000_000;
+/** Voxels along the longer side of a part with a body by the rule `printed`, while something moves and when it rests. */
+export const VOXELS = { coarse: 160, fine: 480 };
+/** Pixels along the longer side of a part for its measures. */
+export const MEASURED = 512;
+
+/** Whether a body takes voxels, so that its composition depends on their number. @param {WholePart} document */
+export const needsVoxels = ({ bodies }) => bodies.some(({ rule }) => rule === "printed");
+
+/**
+ * The pixels of what is seen.
+ * @param {View} view
+ * @param {Size} size CSS pixels
+ * @param {number} ratio device pixels for one of them
+ * @param {number} most pixels
+ * @returns {Frame}
+ */
+export function visibleFrame(view, size, ratio, most) {
+  const share = Math.min(1, Math.sqrt(most / (size.width * size.height * ratio * ratio)));
+  const pixels = (/** @type {number} */ length) => Math.max(1, Math.floor(length * ratio * share));
+  return {
+    box: [toPlane(view, size, [0, size.height]), toPlane(view, size, [size.width, 0])],
+    size: [pixels(size.width), pixels(size.height)],
+  };
+}
+
+/**
+ * The whole of a part with nearly square pixels.
+ * @param {[Point, Point]} box
+ * @param {number} longer pixels along the longer side
+ * @returns {Frame}
+ */
+export function wholeFrame(box, longer) {
+  const [[left, low], [right, high]] = box;
+  const [wide, tall] = [right - left, high - low];
+  const scale = longer / Math.max(wide, tall);
+  const pixels = (/** @type {number} */ length) => Math.max(1, Math.round(length * scale));
+  return { box, size: [pixels(wide), pixels(tall)] };
+}
+
+/** Fewer pixels of the same box, at most so many. @param {Frame} frame @param {number} most @returns {Frame} */
+export function thinned({ box, size: [wide, tall] }, most) {
+  const share = Math.min(1, Math.sqrt(most / (wide * tall)));
+  return { box, size: [Math.max(1, Math.floor(wide * share)), Math.max(1, Math.floor(tall * share))] };
+}
