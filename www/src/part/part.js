@@ -7,17 +7,24 @@
 import "../../styles/modes.css";
 import "../../styles/push.css";
 import "../../styles/part.css";
-import { find, h } from "../dom.js";
+import { segment } from "../controls/choices.js";
+import { attribute, find, h, write } from "../dom.js";
+import { createGroups } from "../inspector/inspector.js";
 import { listenToGestures } from "../stage/gestures.js";
 import { createZoom } from "../stage/zoom.js";
 import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
 import { createCanvas } from "./canvas.js";
 import { partOf } from "./document.js";
+import { checksGroup, displayGroup, leavesGroup } from "./groups.js";
+import { createLegend } from "./legend.js";
+import { createLines } from "./lines.js";
+import { createProbe } from "./probe.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
 import { createSheets } from "./sheets.js";
 import { extentOf, FIRST_SHOWN, stepIn, withoutGone } from "./state.js";
+import { renderStatus, summaryOf } from "./status.js";
 import { words } from "./words.js";
 
 /** Of documents that are shown here. */
@@ -26,6 +33,9 @@ const KIND = "part";
 const REST = 250;
 /** CSS pixels round a part that is fitted into the picture: at the upper edge and at the sides. */
 const ROOM = { top: 56, side: 40 };
+
+/** Groups that are open, and the one on a phone, for as long as the page is open. */
+let memory = { open: ["checks", "leaves", "display"], tab: "display" };
 /** @param {App} app */
 export function createPart(app) {
   /** @type {ReturnType<typeof openWorkbench> | null} */
@@ -59,6 +69,8 @@ function openWorkbench(app) {
   let asked = "";
   /** @type {ReturnType<typeof partOf> | null} */
   let askedFor = null;
+  /** Why the part cannot be evaluated. @type {string | null} */
+  let reason = null;
   /** The opening of a document that the view belongs to. */
   let framed = "";
   const status = find("#status");
@@ -94,26 +106,61 @@ function openWorkbench(app) {
 
   const { canvas, draw } = createCanvas();
   const sheets = createSheets();
+  const lines = createLines(bench);
+  const probe = createProbe(bench);
+  const legend = createLegend(bench);
   const scale = h("div", { class: "scale", "aria-hidden": "true" });
   const zoomAt = h("div", { class: "zoom", role: "group", "aria-label": strings.canvas.zoom, "data-furniture": "" });
   const foot = h("div", { class: "morph part-foot" }, scale, h("span", {}), zoomAt);
   const zoom = createZoom(app, { zoom: zoomAt, scale });
-  stage.append(canvas, foot);
+  const look = segment(
+    { label: words.look.label, name: "part-look", choices: /** @type {const} */ (["colors", "leaves", "compare"]).map((value) => ({ value, text: words.look[value] })) },
+    (value) => bench.change({ leaves: value === "leaves", compare: value === "compare", leaf: null }),
+  );
+  const told = h("p", { class: "part-told" });
+  stage.append(
+    h("div", { class: "modes", "data-furniture": "" }, look.element),
+    canvas,
+    /** @type {any} */ (lines.element),
+    ...probe.nodes,
+    legend.element,
+    told,
+    foot,
+  );
+  const groupsAt = h("div", { class: "part-groups groups" });
+  aside.append(groupsAt);
+  const groups = createGroups(groupsAt, words.region, [checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
+    read: () => memory,
+    write(patch) {
+      memory = { ...memory, ...patch };
+      request();
+    },
+  });
   const gestures = listenToGestures(app, stage, {
-    press: (at) => gestures.pan(at),
-    hover() {},
-    released() {},
+    press(at) {
+      probe.hover(null);
+      return gestures.pan(at);
+    },
+    hover(at, isPressed) {
+      if (!isPressed) probe.hover(at);
+    },
+    released({ kind, moved }, at, event) {
+      if (!moved && kind === "pan" && event.pointerType === "touch") probe.hover(at);
+    },
     signal: over.signal,
   });
 
   const runner = createRunner(app, {
     changed(next) {
+      const isOther = next.document !== known?.document || next.raster !== known?.raster;
       known = next;
+      reason = null;
+      if (isOther) probe.again();
       document.documentElement.dataset.ready = "true";
       request();
     },
     refused({ message }) {
-      ui.set({ note: { tone: "error", text: message } });
+      reason = message;
       document.documentElement.dataset.ready = "true";
       request();
     },
@@ -188,8 +235,22 @@ function openWorkbench(app) {
     const wanted = { document: partOf(app), view, size, ratio, shown };
     const key = JSON.stringify([view, size, ratio, shown.isolines, shown.violations, shown.difference]);
     if (key === asked && wanted.document === askedFor) return;
+    if (wanted.document !== askedFor) reason = null;
     [asked, askedFor] = [key, wanted.document];
     runner.push(wanted);
+  }
+
+  function retry() {
+    ui.set({ note: null });
+    askedFor = null;
+    request();
+  }
+
+  /** What is shown besides the colours, at the upper right. */
+  function toldNow() {
+    if (shown.compare || shown.leaves) return "";
+    if (shown.difference && known?.reference) return words.difference;
+    return shown.isolines === null ? "" : words.lines(partOf(app).materials?.[shown.isolines]?.name ?? "", known?.isFine ? "0.1" : "0.2");
   }
 
   function render() {
@@ -201,7 +262,16 @@ function openWorkbench(app) {
     const { view, size } = bench.now();
     const { theme, layers } = ui.value;
     if (view && known) draw({ view, size, theme, hasGrid: layers.includes("grid"), ...sheets.of(known, shown) });
+    attribute(canvas, "aria-label", words.picture(document.title ?? "", summaryOf(bench)));
+    look.set(shown.compare ? "compare" : shown.leaves ? "leaves" : "colors");
+    write(told, toldNow());
     zoom.render();
+    lines.render();
+    probe.render();
+    legend.render();
+    groups.render();
+    stage.dataset.part = known?.document !== document ? "" : known.measured ? "measured" : "shown";
+    renderStatus(bench, status, { reason, cancel: runner.cancel, retry });
   }
 
   return {
@@ -211,6 +281,7 @@ function openWorkbench(app) {
       cancelAnimationFrame(frame);
       if (timer) keepNow();
       runner.close();
+      probe.close();
       stage.remove();
       aside.remove();
       list.remove();

@@ -18,6 +18,7 @@
  * @property {Leaf | null} leaf the leaf that is lit
  * @property {boolean} shapes whether reference shapes and outlines are drawn
  * @property {boolean} compare whether the three rules for overlaps stand side by side
+ * @property {Point | null} witness a place that shows what is wrong with what is chosen
  * @property {boolean} difference whether a body by the rule `printed` shows what it differs by from `repaired`
  *
  * @typedef {{body: number, leaf: number}} Leaf Of a body the features that hold a place, by bits.
@@ -79,10 +80,11 @@ export const FIRST_SHOWN = {
   shapes: true,
   compare: false,
   difference: false,
+  witness: null,
 };
 
 /** What is chosen when nothing is. */
-export const NOTHING_CHOSEN = { body: null, feature: null, shape: null, point: null, rule: null };
+export const NOTHING_CHOSEN = { body: null, feature: null, shape: null, point: null, rule: null, witness: null };
 
 /** The step of the grid in a view, which also holds what is snapped. @param {View | null} view @param {boolean} snaps */
 export const stepIn = (view, snaps) => (view && snaps ? gridStep(view.scale) : null);
