@@ -10,10 +10,12 @@ import { canRemove, insertPoint, placeAfter, removePoints, whyNotInsert } from "
 import {
   addBody,
   addShape,
+  copyName,
   deleteShape,
   duplicateShape,
   fillHole,
   freshName,
+  makeBody,
   makeHole,
   movePoints,
   moveShape,
@@ -230,12 +232,15 @@ test("shapes, bodies and holes are added under names of their own, up to the lim
   assert.equal(freshName(["circle 1"], "circle", 1), "circle 2");
   assert.equal(freshName([], "circle", 1), "circle 1");
   assert.ok(freshName(["n".repeat(100)], "n".repeat(100)).length <= 100);
-  const copy = duplicateShape(all, "bore", "bore 2", [20, 0]);
-  assert.deepEqual(need(copy, "bore 2"), { name: "bore 2", kind: "circle", center: [50, 20], radius: 6 });
+  assert.deepEqual([copyName(["pore 1", "pore 2"], "pore 1"), copyName(["rim"], "rim"), copyName(["a 9"], "a 9")], ["pore 3", "rim 2", "a 10"]);
+  const cut = duplicateShape(all, "bore", "bore 2", [20, 0]);
+  assert.deepEqual(need(cut, "bore 2"), { name: "bore 2", kind: "circle", center: [50, 20], radius: 6 });
   assert.equal(duplicateShape(all, "bore", "dot", [1, 1]), all);
-  const cut = makeHole(copy, 0, "bore 2");
-  assert.deepEqual([cut.bodies[0].holes, codes(cut)], [["bore", "bore 2"], []]);
-  assert.deepEqual(fillHole(cut, 0, "bore 2"), copy);
+  assert.deepEqual([cut.bodies[0].holes, codes(cut)], [["bore", "bore 2"], []], "the copy of a hole is one");
+  const copy = fillHole(cut, 0, "bore 2");
+  assert.deepEqual(makeHole(copy, 0, "bore 2"), cut);
+  assert.equal(makeBody(copy, "edge", "no ring"), copy);
+  assert.deepEqual(codes(makeBody(copy, "loop", "loop")), []);
   for (const same of [makeHole(cut, 0, "bore 2"), makeHole(cut, 0, "plate"), makeHole(cut, 9, "bore"), makeHole(cut, 0, "none"), fillHole(cut, 1, "bore")]) assert.equal(same, cut);
 
   const disc = addBody(all, { name: "disc", kind: "circle", center: [30, 60], radius: 5 }, "disc");

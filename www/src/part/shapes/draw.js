@@ -16,7 +16,7 @@ import { isLoop, SPACING, spread, TOLERANCE } from "../../stage/strokes.js";
 import { aimed, gridStep, panned, toPlane, toScreen } from "../../view.js";
 import { KINDS, words } from "./draw-words.js";
 import { bodyFor, isChain, isCurved, nameFor, NEEDS, put, shapeFrom, whyNotPut } from "./drawing.js";
-import { ARROWS, rested } from "./moves.js";
+import { ARROWS, rested, restedRadius } from "./moves.js";
 import { outlinePath } from "./places.js";
 
 /** Pixels within which a click is meant for a point that is there, by pointer and by touch, and for the second half of a double click. */
@@ -196,7 +196,7 @@ export function createDraw(bench, stage, first, over) {
     const { document, shown, view } = bench.now();
     const what = closes() ? purpose : "reference";
     const body = what === "hole" ? bodyFor(document, shown.body, shape) : null;
-    const rounded = view && shape.kind === "curve" ? { ...shape, points: shape.points.map(([x, y]) => /** @type {Point} */ ([aimed(x, view), aimed(y, view)])) } : shape;
+    const rounded = withAim(shape, view);
     const why = whyNotPut(document, rounded, what, body);
     if (why) {
       if (!isChain(drawn)) points.pop();
@@ -207,6 +207,13 @@ export function createDraw(bench, stage, first, over) {
     bench.commit((now) => put(now, name, rounded, what, body));
     bench.change({ shape: name, point: null });
     app.say(body === null ? words.done(name) : words.cut(name, document.bodies[body].name));
+  }
+
+  /** A shape without digits that nobody could aim at: they would only be in the way of editing. @param {PartShape} shape @param {import("../../types.js").View | null} view @returns {PartShape} */
+  function withAim(shape, view) {
+    if (!view) return shape;
+    if (shape.kind === "curve") return { ...shape, points: shape.points.map(([x, y]) => /** @type {Point} */ ([aimed(x, view), aimed(y, view)])) };
+    return shape.kind === "circle" ? { ...shape, radius: restedRadius(bench, shape.radius, false) } : shape;
   }
 
   /** Fits a curve to the stroke. */
@@ -324,10 +331,11 @@ export function createDraw(bench, stage, first, over) {
   /** A drag from the first point to the second. @param {Point} at CSS pixels @returns {Stroke} */
   function pulled(at) {
     let to = at;
-    points = [planeOf(at)];
-    said = "";
     return {
       to(next) {
+        // A press that does not move is a tap, which sets its point itself.
+        points = [planeOf(at)];
+        said = "";
         to = next;
         pointer = planeOf(next);
         refresh();

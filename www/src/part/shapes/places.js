@@ -44,11 +44,11 @@ export function handleAt(view, size, shape, handle, rim = 0) {
 /** @param {readonly Point[]} chain CSS pixels */
 const pathOf = (chain) => `M${chain.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}`;
 
-/** @param {Point} at CSS pixels @param {number} radius */
-const circlePath = ([x, y], radius) => {
-  const r = radius.toFixed(1);
-  return `M${(x - radius).toFixed(1)} ${y.toFixed(1)}a${r} ${r} 0 1 0 ${(2 * radius).toFixed(1)} 0a${r} ${r} 0 1 0 ${(-2 * radius).toFixed(1)} 0Z`;
-};
+/** A circle of two half turns, whose chord is twice the radius as it is written: a chord that is shorter would leave two arcs. @param {Point} at CSS pixels @param {number} radius */
+function circlePath([x, y], radius) {
+  const r = Number(radius.toFixed(2));
+  return `M${(x - r).toFixed(2)} ${y.toFixed(2)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
+}
 
 /**
  * The outline of a shape as a path: a line runs to the edges of the window, a point is a small ring.

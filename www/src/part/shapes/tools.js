@@ -28,7 +28,7 @@ export function createTools(bench, stage) {
     MENU.map((drawn) => (drawn === "separator" ? "line" : { name: `draw-${drawn}`, text: KINDS[drawn], act: () => void begin(drawn) })),
   );
   const element = h("div", { class: "shape-tools", "data-furniture": "" }, button);
-  stage.append(element);
+  (stage.querySelector(".modes") ?? stage).append(element);
 
   /** @param {Drawn} drawn */
   async function begin(drawn) {
