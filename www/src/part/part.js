@@ -24,6 +24,8 @@ import { createLines } from "./lines.js";
 import { createProbe } from "./probe.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
+import { createShapeGroups } from "./shapes/groups.js";
+import { createShapes } from "./shapes/shapes.js";
 import { createSheets } from "./sheets.js";
 import { extentOf, FIRST_SHOWN, stepIn, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
@@ -37,7 +39,7 @@ const REST = 250;
 const ROOM = { top: 56, side: 40 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
-let memory = { open: ["checks", "leaves", "display"], tab: "display" };
+let memory = { open: ["shape", "checks", "leaves", "display"], tab: "display" };
 /** @param {App} app */
 export function createPart(app) {
   /** @type {ReturnType<typeof openWorkbench> | null} */
@@ -132,23 +134,26 @@ function openWorkbench(app) {
   );
   const groupsAt = h("div", { class: "part-groups groups" });
   aside.append(groupsAt);
-  const groups = createGroups(groupsAt, words.region, [checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
+  const groups = createGroups(groupsAt, words.region, [...createShapeGroups(bench), checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };
       request();
     },
   });
+  const shapes = createShapes(bench, stage);
   const gestures = listenToGestures(app, stage, {
     press(at) {
       probe.hover(null);
-      return gestures.pan(at);
+      const stroke = shapes.stroke(at);
+      return stroke ? { ...stroke, kind: "stroke", from: at, moved: false } : gestures.pan(at);
     },
     hover(at, isPressed) {
-      if (!isPressed) probe.hover(at);
+      if (!isPressed) probe.hover(shapes.hover(at) ? null : at);
     },
     released({ kind, moved }, at, event) {
-      if (!moved && kind === "pan" && event.pointerType === "touch") probe.hover(at);
+      if (moved || shapes.tap(at, event)) return;
+      if (kind === "pan" && event.pointerType === "touch") probe.hover(at);
     },
     signal: over.signal,
   });
@@ -270,6 +275,7 @@ function openWorkbench(app) {
     write(told, toldNow());
     zoom.render();
     lines.render();
+    shapes.render();
     probe.render();
     legend.render();
     compare.render();
@@ -287,6 +293,7 @@ function openWorkbench(app) {
       runner.close();
       probe.close();
       compare.close();
+      shapes.close();
       stage.remove();
       aside.remove();
       list.remove();

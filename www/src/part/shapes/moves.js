@@ -1,0 +1,148 @@
+/**
+ * Moving what is held: where it comes to rest, by how much a key moves it, and where it is, in words.
+ *
+ * @import { Point } from "../../types.js"
+ * @import { WholePart } from "../document.js"
+ * @import { Bench } from "../state.js"
+ * @import { NamedShape } from "./geometry.js"
+ * @import { Held } from "./places.js"
+ */
+import { coordinate, fixed } from "../../format.js";
+import { snappedTo } from "../../stage/snap.js";
+import { moveShape, placeHandle, setAngle, setGeometry, setRadius, shapeOf, shapesOf } from "../edits/shapes.js";
+import { aimed, gridStep } from "../../view.js";
+import { angleOf, boxOf, isReach, middleOf, pointsOf } from "./geometry.js";
+import { words } from "./words.js";
+
+/** Degrees that a direction rests on with snapping, those of an arrow key, and the decimals it has without. */
+const TURNS = 15;
+const TURN = 1;
+const DECIMALS = 1;
+
+/** @type {{[key: string]: Point}} */
+export const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** The step of the grid that counts now, or null. @param {Bench} bench @param {boolean} invert whether Control is held */
+function stepNow(bench, invert) {
+  const step = bench.step();
+  if (!invert) return step;
+  const { view } = bench.now();
+  return step === null && view ? gridStep(view.scale) : null;
+}
+
+/**
+ * Where a place that is aimed at comes to rest: on the grid with snapping, else on a decimal that can be aimed at.
+ * @param {Bench} bench
+ * @param {Point} at document units
+ * @param {boolean} invert whether Control is held
+ * @returns {Point}
+ */
+export function rested(bench, at, invert) {
+  const { view } = bench.now();
+  const step = stepNow(bench, invert);
+  if (step !== null) return snappedTo(at, step);
+  return view ? [aimed(at[0], view), aimed(at[1], view)] : at;
+}
+
+/** A radius that is aimed at. @param {Bench} bench @param {number} radius @param {boolean} invert */
+export function restedRadius(bench, radius, invert) {
+  const step = stepNow(bench, invert);
+  const { view } = bench.now();
+  if (step !== null) return Math.max(step, snappedTo([radius, 0], step)[0]);
+  const least = view ? 1 / view.scale : 0;
+  return view ? Math.max(aimed(radius, view), aimed(least, view)) : radius;
+}
+
+/** An angle that is aimed at. @param {Bench} bench @param {number} degrees @param {boolean} invert */
+export function restedAngle(bench, degrees, invert) {
+  const turns = stepNow(bench, invert) === null ? 10 ** -DECIMALS : TURNS;
+  return Number((Math.round(degrees / turns) * turns).toFixed(DECIMALS));
+}
+
+/** The angle from one place to another, degrees. @param {Point} from @param {Point} to */
+export const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
+
+/**
+ * What is held, dragged by some way from where it was.
+ * @param {Bench} bench
+ * @param {NamedShape} start the shape before
+ * @param {Held} held
+ * @param {Point} aim for a handle the place it is dragged to, for a whole shape the way
+ * @param {boolean} invert whether Control is held
+ * @returns {(document: WholePart) => WholePart}
+ */
+export function dragged(bench, start, { shape: name, point }, aim, invert) {
+  if (point === null) {
+    const by = rested(bench, aim, invert);
+    return (document) => {
+      const moved = shapeOf(moveShape({ ...document, shapes: [start] }, name, by), name);
+      return moved ? setGeometry(document, name, moved) : document;
+    };
+  }
+  if (start.kind === "circle" && isReach(start, point)) {
+    const radius = restedRadius(bench, Math.hypot(aim[0] - start.center[0], aim[1] - start.center[1]), invert);
+    return (document) => setRadius(document, name, radius);
+  }
+  if (start.kind === "line" && isReach(start, point)) {
+    const angle = restedAngle(bench, angleTo(start.through, aim), invert);
+    return (document) => setAngle(document, name, angle);
+  }
+  const to = rested(bench, aim, invert);
+  return (document) => placeHandle(document, name, point, to);
+}
+
+/**
+ * What is held, moved by an arrow key: a radius grows to the right and up, a direction turns counter-clockwise up and to the left.
+ * @param {WholePart} document
+ * @param {Held} held
+ * @param {Point} arrow
+ * @param {number} far factor of the step
+ * @returns {WholePart}
+ */
+export function nudged(document, { shape: name, point }, arrow, far) {
+  const shape = shapeOf(document, name);
+  if (!shape) return document;
+  const by = arrowStep(document) * far;
+  if (point === null) return moveShape(document, name, [arrow[0] * by, arrow[1] * by]);
+  if (shape.kind === "circle" && isReach(shape, point)) return setRadius(document, name, shape.radius + (arrow[0] + arrow[1]) * by);
+  if (shape.kind === "line" && isReach(shape, point)) {
+    return setAngle(document, name, Number((angleOf(shape) + (arrow[1] - arrow[0]) * TURN * far).toFixed(6)));
+  }
+  const [x, y] = pointsOf(shape)[point] ?? [0, 0];
+  return placeHandle(document, name, point, [x + arrow[0] * by, y + arrow[1] * by]);
+}
+
+/** Steps of documents that were asked for: one is never changed in place. @type {WeakMap<object, number>} */
+const steps = new WeakMap();
+
+/** The step of an arrow key: the power of ten nearest to a hundredth of all shapes together. @param {WholePart} document */
+export function arrowStep(document) {
+  const shapes = shapesOf(document);
+  const known = steps.get(shapes);
+  if (known !== undefined) return known;
+  const boxes = shapes.map(boxOf);
+  const span = (/** @type {0 | 1} */ k) => Math.max(...boxes.map(([, high]) => high[k])) - Math.min(...boxes.map(([low]) => low[k]));
+  const extent = Math.max(span(0), span(1));
+  const step = extent > 0 && Number.isFinite(extent) ? 10 ** Math.round(Math.log10(extent / 100)) : 1;
+  steps.set(shapes, step);
+  return step;
+}
+
+/** The name of a handle: that of the shape and its number, where it has several. @param {NamedShape} shape @param {number} point */
+export const handleName = (shape, point) => (pointsOf(shape).length > 1 ? `${shape.name} ${point + 1}` : shape.name);
+
+/**
+ * Where something is, in words.
+ * @param {NamedShape} shape
+ * @param {number | null} point
+ */
+export function spokenPlace(shape, point) {
+  if (point === null) {
+    const [x, y] = middleOf(shape).map(coordinate);
+    return words.handles.whole(shape.name, words.kind(shape), x, y);
+  }
+  if (shape.kind === "circle" && isReach(shape, point)) return words.handles.radius(shape.name, coordinate(shape.radius));
+  if (shape.kind === "line" && isReach(shape, point)) return words.handles.angle(shape.name, fixed(angleOf(shape), 1));
+  const [x, y] = pointsOf(shape)[point].map(coordinate);
+  return words.handles.point(handleName(shape, point), x, y);
+}
