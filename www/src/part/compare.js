@@ -205,7 +205,7 @@ export function createCompare(bench) {
         reading.replaceChildren(
           ...(fractions
             ? [fractionBar(fractions, materials), ...fractions.flatMap((fraction, i) => (fraction < NOTHING ? [] : [entry(materials[i]?.name ?? "", percent(fraction))]))]
-            : [h("p", { class: "part-note" }, words.compare.nothing)]),
+            : [h("p", { class: "part-rule-none" }, words.compare.nothing)]),
         );
       },
     };

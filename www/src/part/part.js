@@ -10,6 +10,7 @@ import "../../styles/space.css";
 import "../../styles/part.css";
 import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
+import { openGallery } from "../frame/gallery.js";
 import { createGroups } from "../inspector/inspector.js";
 import { listenToGestures } from "../stage/gestures.js";
 import { createZoom } from "../stage/zoom.js";
@@ -42,7 +43,7 @@ const REST = 250;
 const ROOM = { top: 56, side: 40 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
-let memory = { open: ["tree", "shape", "feature", "profile", "overlap", "display"], tab: "tree" };
+let memory = { open: ["tree", "feature", "profile", "overlap", "display"], tab: "tree" };
 /** Width from which the list of features has a place of its own. */
 const WIDE = "(width >= 1200px)";
 
@@ -129,12 +130,15 @@ function openWorkbench(app) {
     (value) => bench.change({ leaves: value === "leaves", compare: value === "compare", leaf: null }),
   );
   const told = h("p", { class: "part-told" });
+  const gallery = h("button", { type: "button", class: "outlined", "data-empty": "gallery", onclick: () => void openGallery(app) }, words.empty.gallery);
+  const empty = h("div", { class: "empty", hidden: true, "data-part-empty": "" }, h("p", {}, words.empty.line), h("div", { class: "empty-commands", "data-furniture": "" }, gallery));
   stage.append(
     h("div", { class: "modes", "data-furniture": "" }, look.element),
     canvas,
     /** @type {any} */ (lines.element),
     ...probe.nodes,
     told,
+    empty,
     foot,
     compare.element,
   );
@@ -216,6 +220,8 @@ function openWorkbench(app) {
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
+  /** The view as it was drawn last. */
+  let seenView = /** @type {import("../types.js").View | null} */ (null);
 
   /** Keeps what a reload and the way back bring, once it rests. */
   function keepLater() {
@@ -294,10 +300,15 @@ function openWorkbench(app) {
     ask();
     const { view, size } = bench.now();
     const { theme, layers } = ui.value;
+    if (view !== seenView) {
+      seenView = view;
+      keepLater();
+    }
     if (view && known) draw({ view, size, theme, hasGrid: layers.includes("grid"), ...sheets.of(known, shown) });
     attribute(canvas, "aria-label", words.picture(document.title ?? "", summaryOf(bench)));
     look.set(shown.compare ? "compare" : shown.leaves ? "leaves" : "colors");
     write(told, toldNow());
+    empty.hidden = (document.shapes ?? []).length > 0 || ui.value.drawing || app.tool !== null;
     zoom.render();
     lines.render();
     shapes.render();
@@ -306,6 +317,7 @@ function openWorkbench(app) {
     compare.render();
     groups.render();
     tree.render();
+    stage.dataset.look = shown.compare ? "compare" : shown.leaves ? "leaves" : "colors";
     stage.dataset.part = known?.document !== document ? "" : known.measured ? "measured" : "shown";
     renderStatus(bench, status, { reason, cancel: runner.cancel, retry });
   }

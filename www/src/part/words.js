@@ -19,6 +19,7 @@ export const words = {
   cancelled: "Cancelled",
   cancel: "Cancel",
   tryAgain: "Try again",
+  empty: { line: "Draw the outline of a body, or start from something ready.", gallery: "Gallery" },
   look: { label: "Picture of", colors: "Composition", leaves: "Leaves", compare: "Three rules" },
   lines: (/** @type {string} */ material, /** @type {string} */ step) => `${material} fraction, lines every ${step}`,
   difference: "largest difference of a fraction from the rule repaired",
