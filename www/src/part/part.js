@@ -22,13 +22,16 @@ import { checksGroup, displayGroup, leavesGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
 import { createLines } from "./lines.js";
 import { createProbe } from "./probe.js";
+import { createProfileGroups } from "./profile/groups.js";
+import { createRuleGroups } from "./rules/groups.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
 import { createShapeGroups } from "./shapes/groups.js";
 import { createShapes } from "./shapes/shapes.js";
 import { createSheets } from "./sheets.js";
-import { extentOf, FIRST_SHOWN, stepIn, withoutGone } from "./state.js";
+import { extentOf, FIRST_SHOWN, firstChoice, stepIn, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
+import { createTree } from "./tree/tree.js";
 import { words } from "./words.js";
 
 /** Of documents that are shown here. */
@@ -39,7 +42,10 @@ const REST = 250;
 const ROOM = { top: 56, side: 40 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
-let memory = { open: ["shape", "checks", "leaves", "display"], tab: "display" };
+let memory = { open: ["tree", "shape", "feature", "profile", "overlap", "display"], tab: "tree" };
+/** Width from which the list of features has a place of its own. */
+const WIDE = "(width >= 1200px)";
+
 /** @param {App} app */
 export function createPart(app) {
   /** @type {ReturnType<typeof openWorkbench> | null} */
@@ -94,8 +100,8 @@ function openWorkbench(app) {
     app,
     now: () => ({ document: partOf(app), known, isCurrent: known?.document === partOf(app), shown, view: isFramed() ? ui.value.view : null, size: ui.value.size }),
     change(patch) {
-      const next = { ...shown, ...patch };
-      shown = next;
+      reveal(patch);
+      shown = { ...shown, ...patch };
       keepLater();
       request();
     },
@@ -134,7 +140,15 @@ function openWorkbench(app) {
   );
   const groupsAt = h("div", { class: "part-groups groups" });
   aside.append(groupsAt);
-  const groups = createGroups(groupsAt, words.region, [...createShapeGroups(bench), checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
+  const tree = createTree(bench);
+  const treeAt = h("div", {});
+  const treeGroup = { name: "tree", heading: words.tree, body: treeAt, phrase: () => "", render() {} };
+  const wide = matchMedia(WIDE);
+  const placeTree = () => (wide.matches ? list : treeAt).append(tree.element);
+  wide.addEventListener("change", placeTree, { signal: over.signal });
+  placeTree();
+  const all = [treeGroup, ...createShapeGroups(bench), ...createProfileGroups(bench), ...createRuleGroups(bench), leavesGroup(bench), checksGroup(bench), displayGroup(bench)];
+  const groups = createGroups(groupsAt, words.region, all, {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };
@@ -178,6 +192,17 @@ function openWorkbench(app) {
     },
   });
 
+  /** Opens the groups of what is chosen anew. @param {Partial<Shown>} patch */
+  function reveal(patch) {
+    const isNew = (/** @type {"shape" | "feature" | "rule" | "body"} */ key) => patch[key] !== undefined && patch[key] !== null && patch[key] !== shown[key];
+    const names = [
+      ...(isNew("shape") ? ["shape"] : []),
+      ...(isNew("feature") || (isNew("body") && patch.feature != null) ? ["feature", "profile"] : []),
+      ...(isNew("rule") ? ["rules"] : []),
+    ];
+    if (names.length > 0) memory = { ...memory, open: [...new Set([...memory.open, ...names])] };
+  }
+
   let frame = 0;
   /** Draws in the next frame, once. */
   function request() {
@@ -213,7 +238,7 @@ function openWorkbench(app) {
     const isOther = framed !== name;
     if (isOther) {
       const seen = leftOf(app, name);
-      shown = seen?.shown ?? FIRST_SHOWN;
+      shown = seen?.shown ?? { ...FIRST_SHOWN, ...firstChoice(partOf(app)) };
       framed = name;
       if (seen?.view) return ui.set({ view: seen.view, fitted: seen.fitted, fitScale: seen.fitScale });
     }
@@ -280,6 +305,7 @@ function openWorkbench(app) {
     legend.render();
     compare.render();
     groups.render();
+    tree.render();
     stage.dataset.part = known?.document !== document ? "" : known.measured ? "measured" : "shown";
     renderStatus(bench, status, { reason, cancel: runner.cancel, retry });
   }

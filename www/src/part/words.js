@@ -90,6 +90,7 @@ export const words = {
   compare: {
     group: "The three rules for overlaps",
     hint: "Point into one picture to read all three. A click goes on with its rule.",
+    hintTouch: "Tap into one picture to read all three.",
     help: "Arrow keys go from rule to rule, Enter goes on with one. Shift and arrow keys move what is read.",
     rules: { repaired: "Repaired", depth: "Depth", printed: "As printed" },
     notes: {
