@@ -6,6 +6,7 @@ import { test } from "node:test";
 import { load } from "directrix";
 import { root } from "../../scripts/lib/paths.mjs";
 import { converted, targetsOf, thinned } from "../../www/src/part/edits/convert.js";
+import { namedFor, nestingOf, withImported } from "../../www/src/part/edits/imported.js";
 import { canRemove, insertPoint, placeAfter, removePoints, whyNotInsert } from "../../www/src/part/edits/points.js";
 import {
   addBody,
@@ -92,6 +93,9 @@ function need(document, name) {
   assert.ok(shape, `there is no ${name}`);
   return shape;
 }
+
+/** @param {number} a @param {number} b @param {number} by */
+const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a}, not ${b}`);
 
 /** The codes of what the kernel says. @param {WholePart} document */
 const codes = (document) => dx.part(document).diagnostics.map(({ code, path }) => `${code} ${path}`);
@@ -295,6 +299,25 @@ test("a polygon and a curve become each other, and the kernel makes what comes o
   assert.equal(converted(need(all, "dot"), "curve"), null);
   assert.equal(converted({ kind: "polygon", points: [[0, 0], [1, 1], [2, 2]] }, "curve"), null, "points on one line have no closed curve");
   assert.deepEqual(thinned([[0, 0], [1, 0.001], [2, 0], [2, 1]], 0.01), [[0, 0], [2, 0], [2, 1]]);
+});
+
+test("imported shapes get names of their own; those that lie in others become their holes, and those in holes bodies again", () => {
+  const square = (/** @type {number} */ low, /** @type {number} */ high) => ({
+    kind: /** @type {const} */ ("polygon"),
+    points: /** @type {[number, number][]} */ ([[low, low], [high, low], [high, high], [low, high]]),
+  });
+  const read = [{ name: "plate", shape: square(-50, -10) }, { name: "", shape: square(-40, -20) }, { name: "bore", shape: square(-35, -25) }, { name: "plate", shape: square(-33, -30) }];
+  const named = namedFor(all, read);
+  assert.deepEqual(named.map(({ name }) => name), ["plate 2", "shape", "bore 2", "plate 3"]);
+  assert.deepEqual(nestingOf(named), [{ depth: 0, within: null }, { depth: 1, within: 0 }, { depth: 2, within: 1 }, { depth: 3, within: 2 }]);
+  const bodies = withImported(all, named, "body", null);
+  assert.deepEqual(bodies.bodies.slice(2).map(({ name, outline, holes }) => [name, outline, holes]), [["plate 2", "plate 2", ["shape"]], ["bore 2", "bore 2", ["plate 3"]]]);
+  assert.deepEqual(codes(bodies), []);
+  const areas = dx.part(bodies).amounts({ box: [[-51, -51], [-9, -9]], size: [420, 420] }).bodies.map(({ area }) => area);
+  near(areas[2], 1600 - 400, 12);
+  near(areas[3], 100 - 9, 12);
+  assert.deepEqual(withImported(all, named, "reference", null).bodies, all.bodies);
+  assert.deepEqual(withImported(all, named.slice(2, 3), "hole", 0).bodies[0].holes, ["bore", "bore 2"]);
 });
 
 test("shapes of the presets have boxes, chains and handles, and every one moves and comes back", () => {
