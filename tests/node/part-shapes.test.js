@@ -279,8 +279,8 @@ test("a polygon and a curve become each other, and the kernel makes what comes o
   // Chords lie inside, by a thousandth of half the diagonal at most.
   const [was, is] = [area(all), area(setGeometry(all, "blob", outlined))];
   assert.ok(Math.abs(was - is) / was < 4e-3, `${was}, ${is}`);
-  const chain = chainOf(need(all, "blob"), 200);
-  for (const at of outlined.points) assert.ok(nearestPiece(chain, true, at).distance < 1e-3);
+  const chain = chainOf(need(all, "blob"));
+  for (const at of outlined.points) assert.ok(nearestPiece(chain, true, at).distance < 1e-9);
   for (const at of chain) assert.ok(nearestPiece(outlined.points, true, at).distance < 1.05e-3 * Math.hypot(25, 40) * 0.5);
 
   const control = converted(need(all, "blob"), "control");
@@ -290,7 +290,7 @@ test("a polygon and a curve become each other, and the kernel makes what comes o
   // A curve through the points of a polygon passes them, and one through 16 points of a circle is round.
   const fitted = converted(need(all, "plate"), "curve");
   assert.ok(fitted);
-  for (const at of pointsOf(need(all, "plate"))) assert.ok(nearestPiece(chainOf(fitted, 400), true, at).distance < 1e-3);
+  for (const at of pointsOf(need(all, "plate"))) assert.ok(nearestPiece(chainOf(fitted), true, at).distance < 1e-3);
   const round = converted(need(all, "bore"), "curve");
   assert.ok(round);
   for (const [x, y] of chainOf(round)) assert.ok(Math.abs(Math.hypot(x - 30, y - 20) - 6) < 6 * 1e-4);

@@ -68,7 +68,7 @@ onOnePage(
     "a handle is dragged, document and picture follow, and one step of undo brings the very document back": async (page) => {
       const before = await documentOf(page);
       await page.locator(".part-stage[data-part=measured]").waitFor();
-      assert.deepEqual(await audit(page), []);
+      assert.deepEqual(await audit(page, [".part-stage", "[data-group=shape]"]), []);
       await choose(page, "edge A");
       const yellow = await colorAt(page, [60, 55]);
       const [x, y] = await middle(handle(page, "edge A.1"));
@@ -193,7 +193,7 @@ onOnePage(
       await eventually(async () => assert.equal(await field(page, "shape-name").inputValue(), "polygon 1"));
       // What is being measured is dim.
       await page.locator(".part-stage[data-part=measured]").waitFor();
-      assert.deepEqual(await audit(page), []);
+      assert.deepEqual(await audit(page, [".part-stage", "[data-group=shape]"]), []);
     },
 
     "shapes of a drawing come in as a body with its hole": async (page) => {
@@ -273,5 +273,5 @@ test("by touch a tap chooses, a finger drags, and targets are large enough", asy
     assert.deepEqual(points.toSpliced(2, 1), before.toSpliced(2, 1));
   });
   await page.locator(".part-stage[data-part=measured]").waitFor();
-  assert.deepEqual(await audit(page), []);
+  assert.deepEqual(await audit(page, [".part-stage", "[data-group=shape]"]), []);
 });

@@ -238,7 +238,10 @@ export function showPartImport(app, name, found, isList) {
     if (all.length > 0) {
       const shown = [...chosen].map((index) => {
         const now = made.get(index);
-        return { points: now && "shape" in now && now.shape.kind === "polygon" ? now.shape.points : shapes[index].points, curve: now && "shape" in now && now.shape.kind === "curve" ? now.shape : null };
+        const shape = now && "shape" in now ? now.shape : null;
+        // A polygon is a curve of the first degree, whose control points are its own.
+        const polygon = shape?.kind === "polygon" ? { degree: 1, form: /** @type {const} */ ("periodic"), points: shape.points } : null;
+        return { points: shapes[index].points, curve: shape?.kind === "curve" ? shape : polygon };
       });
       drawPreview(preview, frameOf(all, PREVIEW.width, PREVIEW.height), shown);
       const { middle, size } = placeNow();
