@@ -14,6 +14,8 @@ import { aimed, gridStep } from "../../view.js";
 import { angleOf, boxOf, isReach, middleOf, pointsOf } from "./geometry.js";
 import { words } from "./words.js";
 
+/** Pixels within which a point of another shape holds what is moved, with snapping. */
+const NEAR = 8;
 /** Degrees that a direction rests on with snapping, those of an arrow key, and the decimals it has without. */
 const TURNS = 15;
 const TURN = 1;
@@ -31,17 +33,40 @@ function stepNow(bench, invert) {
 }
 
 /**
- * Where a place that is aimed at comes to rest: on the grid with snapping, else on a decimal that can be aimed at.
+ * Where a place that is aimed at comes to rest: with snapping on a point of another shape that is near, or on the grid; else on a decimal that can be aimed at.
  * @param {Bench} bench
  * @param {Point} at document units
  * @param {boolean} invert whether Control is held
+ * @param {string | null} [own] name of the shape that the place belongs to
  * @returns {Point}
  */
-export function rested(bench, at, invert) {
-  const { view } = bench.now();
+export function rested(bench, at, invert, own = null) {
+  const { document, view } = bench.now();
   const step = stepNow(bench, invert);
-  if (step !== null) return snappedTo(at, step);
+  if (step !== null) return (view && pointNear(document, at, NEAR / view.scale, own)) ?? snappedTo(at, step);
   return view ? [aimed(at[0], view), aimed(at[1], view)] : at;
+}
+
+/**
+ * The point of a shape nearest to a place; null where none is near.
+ * @param {WholePart} document
+ * @param {Point} at
+ * @param {number} reach document units
+ * @param {string | null} own the shape whose points do not count
+ * @returns {Point | null}
+ */
+function pointNear(document, [x, y], reach, own) {
+  /** @type {Point | null} */
+  let best = null;
+  let least = reach;
+  for (const shape of shapesOf(document)) {
+    if (shape.name === own) continue;
+    for (const point of pointsOf(shape)) {
+      const distance = Math.hypot(point[0] - x, point[1] - y);
+      if (distance <= least) [best, least] = [point, distance];
+    }
+  }
+  return best;
 }
 
 /** A radius that is aimed at. @param {Bench} bench @param {number} radius @param {boolean} invert */
@@ -67,13 +92,15 @@ export const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0
  * @param {Bench} bench
  * @param {NamedShape} start the shape before
  * @param {Held} held
- * @param {Point} aim for a handle the place it is dragged to, for a whole shape the way
+ * @param {Point} aim for a handle the place it is dragged to, for a whole shape the way, which goes by whole steps of the grid
  * @param {boolean} invert whether Control is held
  * @returns {(document: WholePart) => WholePart}
  */
 export function dragged(bench, start, { shape: name, point }, aim, invert) {
   if (point === null) {
-    const by = rested(bench, aim, invert);
+    const step = stepNow(bench, invert);
+    const { view } = bench.now();
+    const by = step !== null ? snappedTo(aim, step) : view ? /** @type {Point} */ ([aimed(aim[0], view), aimed(aim[1], view)]) : aim;
     return (document) => {
       const moved = shapeOf(moveShape({ ...document, shapes: [start] }, name, by), name);
       return moved ? setGeometry(document, name, moved) : document;
@@ -87,7 +114,7 @@ export function dragged(bench, start, { shape: name, point }, aim, invert) {
     const angle = restedAngle(bench, angleTo(start.through, aim), invert);
     return (document) => setAngle(document, name, angle);
   }
-  const to = rested(bench, aim, invert);
+  const to = rested(bench, aim, invert, name);
   return (document) => placeHandle(document, name, point, to);
 }
 
