@@ -354,6 +354,7 @@ test("what is held rests on the grid, on points of other shapes, or on what can 
   const at = (/** @type {WholePart} */ document) => need(document, "bore");
   assert.deepEqual(at(dragged(bench(5), bore, { shape: "bore", point: null }, [7, -4], false)(all)), { ...bore, center: [35, 15] });
   assert.deepEqual(at(dragged(bench(null), bore, { shape: "bore", point: 1 }, [30, 23], false)(all)), { ...bore, radius: 3 });
+  assert.equal(dragged(bench(5), bore, { shape: "bore", point: null }, [2, -2], false)(all), all, "less than a step is no edit");
   // Every step of a drag starts from the shape as it was.
   const twice = dragged(bench(5), bore, { shape: "bore", point: null }, [5, 0], false)(dragged(bench(5), bore, { shape: "bore", point: null }, [50, 0], false)(all));
   assert.deepEqual(at(twice), { ...bore, center: [35, 20] });

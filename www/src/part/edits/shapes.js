@@ -143,7 +143,8 @@ export function setDirection(document, name, direction) {
 export const setAngle = (document, name, degrees) => setDirection(document, name, directionAt(degrees));
 
 /** Gives a shape another geometry under its name. @param {WholePart} document @param {string} name @param {PartShape} geometry */
-export const setGeometry = (document, name, geometry) => changeShape(document, name, () => ({ ...geometry, name }));
+export const setGeometry = (document, name, geometry) =>
+  changeShape(document, name, () => ("name" in geometry && geometry.name === name ? /** @type {NamedShape} */ (geometry) : { ...geometry, name }));
 
 /**
  * Why a document cannot take more shapes, or null.

@@ -44,8 +44,8 @@ export function createHandles(bench, state) {
     render() {
       const { document, shown, view, size } = bench.now();
       const { hovered, rims, hidden } = state();
-      element.hidden = !view || !shown.shapes;
-      if (!view || !shown.shapes) return;
+      element.hidden = !view || !shown.shapes || shown.compare;
+      if (!view || element.hidden) return;
       const shapes = shapesOf(document);
       grow(shapes.length);
       const role = rolesOf(document);

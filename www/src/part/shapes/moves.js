@@ -103,7 +103,7 @@ export function dragged(bench, start, { shape: name, point }, aim, invert) {
     const by = step !== null ? snappedTo(aim, step) : view ? /** @type {Point} */ ([aimed(aim[0], view), aimed(aim[1], view)]) : aim;
     return (document) => {
       const moved = shapeOf(moveShape({ ...document, shapes: [start] }, name, by), name);
-      return moved ? setGeometry(document, name, moved) : document;
+      return moved && moved !== shapeOf(document, name) ? setGeometry(document, name, moved) : document;
     };
   }
   if (start.kind === "circle" && isReach(start, point)) {

@@ -71,7 +71,7 @@ export function createShapes(bench, stage) {
   /** What a place means: a handle of the chosen shape or of the one under the pointer, else an outline, that of the chosen shape first. @param {Point} at @returns {Held | null} */
   function heldAt(at) {
     const { document, view, size, shown } = bench.now();
-    if (!view || !shown.shapes) return null;
+    if (!view || !shown.shapes || shown.compare) return null;
     for (const name of new Set([shown.shape, hovered])) {
       const shape = shapeOf(document, name);
       const point = shape ? nearestHandle(view, size, shape, at, REACH[reach()], rims.get(shape.name)) : null;
