@@ -11,6 +11,7 @@ import { canRemove, insertPoint, placeAfter, removePoints, whyNotInsert } from "
 import {
   addBody,
   addShape,
+  bodyShapes,
   copyName,
   deleteShape,
   duplicateShape,
@@ -37,7 +38,7 @@ import {
 } from "../../www/src/part/edits/shapes.js";
 import { bodyFor, nameFor, put, shapeFrom, whyNotPut } from "../../www/src/part/shapes/drawing.js";
 import { angleOf, areaOf, boxOf, chainOf, fewestOf, handleCount, nearestPiece, pointsOf } from "../../www/src/part/shapes/geometry.js";
-import { arrowStep, dragged, nudged, rested, restedAngle, restedRadius } from "../../www/src/part/shapes/moves.js";
+import { along, arrowStep, dragged, nudged, rested, restedAngle, restedRadius } from "../../www/src/part/shapes/moves.js";
 import { litBy, nearestHandle, outlinePath, rolesOf, under } from "../../www/src/part/shapes/places.js";
 
 /**
@@ -352,12 +353,20 @@ test("what is held rests on the grid, on points of other shapes, or on what can 
 
   const bore = need(all, "bore");
   const at = (/** @type {WholePart} */ document) => need(document, "bore");
-  assert.deepEqual(at(dragged(bench(5), bore, { shape: "bore", point: null }, [7, -4], false)(all)), { ...bore, center: [35, 15] });
-  assert.deepEqual(at(dragged(bench(null), bore, { shape: "bore", point: 1 }, [30, 23], false)(all)), { ...bore, radius: 3 });
-  assert.equal(dragged(bench(5), bore, { shape: "bore", point: null }, [2, -2], false)(all), all, "less than a step is no edit");
+  assert.deepEqual(at(dragged(bench(5), all, { shape: "bore", point: null }, [7, -4], false)(all)), { ...bore, center: [35, 15] });
+  assert.deepEqual(at(dragged(bench(null), all, { shape: "bore", point: 1 }, [30, 23], false)(all)), { ...bore, radius: 3 });
+  assert.equal(dragged(bench(5), all, { shape: "bore", point: null }, [2, -2], false)(all), all, "less than a step is no edit");
   // Every step of a drag starts from the shape as it was.
-  const twice = dragged(bench(5), bore, { shape: "bore", point: null }, [5, 0], false)(dragged(bench(5), bore, { shape: "bore", point: null }, [50, 0], false)(all));
+  const twice = dragged(bench(5), all, { shape: "bore", point: null }, [5, 0], false)(dragged(bench(5), all, { shape: "bore", point: null }, [50, 0], false)(all));
   assert.deepEqual(at(twice), { ...bore, center: [35, 20] });
+
+  assert.deepEqual(bodyShapes(all, "plate"), ["plate", "bore", "edge", "dot"]);
+  assert.deepEqual(bodyShapes(all, "path"), ["path"]);
+  along.isOn = true;
+  const whole = dragged(bench(5), all, { shape: "plate", point: null }, [6, 4], false)(all);
+  assert.deepEqual(whole, moveShapes(all, ["plate", "bore", "edge", "dot"], [5, 5]));
+  assert.deepEqual(nudged(whole, { shape: "plate", point: null }, [-1, 0], 5), moveShapes(all, ["plate", "bore", "edge", "dot"], [0, 5]));
+  along.isOn = false;
 
   assert.equal(arrowStep(all), 1);
   assert.deepEqual(at(nudged(all, { shape: "bore", point: 0 }, [1, 0], 10)), { ...bore, center: [40, 20] });

@@ -125,6 +125,12 @@ onOnePage(
       await eventually(async () => assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-part-shape")), "rectangle"));
       await page.keyboard.press("ArrowUp");
       await becomes(page, "rectangle", { kind: "polygon", points: [[0, 1], [100, 1], [100, 61], [0, 61]] });
+      await page.locator("[data-box=shape-along]").check();
+      await outline(page, "rectangle").focus();
+      await page.keyboard.press("ArrowUp");
+      await becomes(page, "rectangle", { kind: "polygon", points: [[0, 2], [100, 2], [100, 62], [0, 62]] });
+      await becomes(page, "edge A", { kind: "segment", from: [0, 1], to: [0, 61] });
+      await page.locator("[data-box=shape-along]").uncheck();
     },
 
     "numbers, another name, another kind, a copy, and what is left when a shape goes": async (page) => {

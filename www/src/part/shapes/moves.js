@@ -9,7 +9,7 @@
  */
 import { coordinate, fixed } from "../../format.js";
 import { snappedTo } from "../../stage/snap.js";
-import { moveShape, placeHandle, setAngle, setGeometry, setRadius, shapeOf, shapesOf } from "../edits/shapes.js";
+import { bodyShapes, moveShapes, placeHandle, setAngle, setRadius, shapeOf, shapesOf, withShapesOf } from "../edits/shapes.js";
 import { aimed, gridStep } from "../../view.js";
 import { angleOf, boxOf, isReach, middleOf, pointsOf } from "./geometry.js";
 import { words } from "./words.js";
@@ -87,24 +87,37 @@ export function restedAngle(bench, degrees, invert) {
 /** The angle from one place to another, degrees. @param {Point} from @param {Point} to */
 export const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
 
+/** Whether the outline of a body takes its holes and references along, for as long as the page is open. */
+export const along = { isOn: false };
+
+/** Names of the shapes that move with a whole one. @param {WholePart} document @param {string} name */
+export const movedWith = (document, name) => (along.isOn ? bodyShapes(document, name) : [name]);
+
+/** Whether a handle moves the whole of its shape: the centre of a circle does. @param {NamedShape} shape @param {number} point */
+const isMiddle = ({ kind }, point) => kind === "circle" && point === 0;
+
 /**
  * What is held, dragged by some way from where it was.
  * @param {Bench} bench
- * @param {NamedShape} start the shape before
+ * @param {WholePart} before the document when the drag began
  * @param {Held} held
  * @param {Point} aim for a handle the place it is dragged to, for a whole shape the way, which goes by whole steps of the grid
  * @param {boolean} invert whether Control is held
  * @returns {(document: WholePart) => WholePart}
  */
-export function dragged(bench, start, { shape: name, point }, aim, invert) {
-  if (point === null) {
+export function dragged(bench, before, { shape: name, point }, aim, invert) {
+  const start = shapeOf(before, name);
+  if (!start) return (document) => document;
+  if (point === null || isMiddle(start, point)) {
     const step = stepNow(bench, invert);
     const { view } = bench.now();
-    const by = step !== null ? snappedTo(aim, step) : view ? /** @type {Point} */ ([aimed(aim[0], view), aimed(aim[1], view)]) : aim;
-    return (document) => {
-      const moved = shapeOf(moveShape({ ...document, shapes: [start] }, name, by), name);
-      return moved && moved !== shapeOf(document, name) ? setGeometry(document, name, moved) : document;
-    };
+    const way = (/** @type {Point} */ by) => (step !== null ? snappedTo(by, step) : view ? /** @type {Point} */ ([aimed(by[0], view), aimed(by[1], view)]) : by);
+    const [from] = pointsOf(start);
+    const to = point === null ? null : rested(bench, aim, invert, name);
+    const by = to ? /** @type {Point} */ ([to[0] - from[0], to[1] - from[1]]) : way(aim);
+    const names = movedWith(before, name);
+    const after = moveShapes(before, names, by);
+    return (document) => withShapesOf(document, after, names);
   }
   if (start.kind === "circle" && isReach(start, point)) {
     const radius = restedRadius(bench, Math.hypot(aim[0] - start.center[0], aim[1] - start.center[1]), invert);
@@ -130,7 +143,7 @@ export function nudged(document, { shape: name, point }, arrow, far) {
   const shape = shapeOf(document, name);
   if (!shape) return document;
   const by = arrowStep(document) * far;
-  if (point === null) return moveShape(document, name, [arrow[0] * by, arrow[1] * by]);
+  if (point === null || isMiddle(shape, point)) return moveShapes(document, movedWith(document, name), [arrow[0] * by, arrow[1] * by]);
   if (shape.kind === "circle" && isReach(shape, point)) return setRadius(document, name, shape.radius + (arrow[0] + arrow[1]) * by);
   if (shape.kind === "line" && isReach(shape, point)) {
     return setAngle(document, name, Number((angleOf(shape) + (arrow[1] - arrow[0]) * TURN * far).toFixed(6)));

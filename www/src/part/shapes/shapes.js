@@ -113,7 +113,7 @@ export function createShapes(bench, stage) {
         if (start.kind === "circle" && held.point !== null && isReach(start, held.point)) {
           rims.set(held.shape, Math.atan2(aim[1] - start.center[1], aim[0] - start.center[0]));
         }
-        bench.commit(dragged(bench, start, held, aim, invert), run);
+        bench.commit(dragged(bench, document, held, aim, invert), run);
       },
       end() {
         handles.hold(null, false);

@@ -59,6 +59,7 @@ export const words = {
     next: "Next point",
     add: "Add",
     remove: "Remove",
+    along: "Holes and references move along",
     used: "Used by",
     unused: "nothing yet",
     uses: {
