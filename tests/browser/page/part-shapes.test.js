@@ -79,7 +79,7 @@ onOnePage(
         assert.ok(Math.hypot(to[0] - 60, to[1] - 60) < 1, `${to}`);
       });
       await eventually(async () => assert.notDeepEqual(await colorAt(page, [60, 55]), yellow, "the picture follows"));
-      await eventually(async () => assert.match(await spoken(page), /^edge A 2, x (60|59)\.\d\d, y /));
+      await eventually(async () => assert.match(await spoken(page), /^edge A, point 2, x (60|59)\.\d\d, y /));
       await page.locator("[data-action=undo]").click();
       await eventually(async () => assert.deepEqual(await documentOf(page), before));
       await eventually(async () => assert.deepEqual(await colorAt(page, [60, 55]), yellow));
@@ -110,7 +110,7 @@ onOnePage(
       await page.keyboard.press("PageDown");
       await eventually(async () => assert.equal(await page.evaluate(() => document.activeElement?.getAttribute("data-part-point")), "rectangle.0"));
       await page.keyboard.press("ArrowRight");
-      await eventually(async () => assert.match(await spoken(page), /^rectangle 1, x 1\.00, y 0\.00/));
+      await eventually(async () => assert.match(await spoken(page), /^rectangle, point 1, x 1\.00, y 0\.00/));
       await page.keyboard.press("Shift+ArrowUp");
       await page.keyboard.press("Alt+ArrowUp");
       await becomes(page, "rectangle", { kind: "polygon", points: [[1, 10.1], [100, 0], [100, 60], [0, 60]] });
@@ -151,6 +151,19 @@ onOnePage(
       await page.locator("[data-select=shape-turn]").selectOption("control");
       await eventually(async () => assert.equal((await shape(page, "rectangle")).kind, "curve"));
       await eventually(async () => assert.ok((await colorAt(page, [1, 1]))[3] < 128 || (await colorAt(page, [1, 1])).join() !== (await colorAt(page, [50, 20])).join()));
+      // A point more leaves the curve as it is, which then has a knot more.
+      const round = await outline(page, "rectangle").boundingBox();
+      await outline(page, "rectangle").focus();
+      await page.keyboard.press("Insert");
+      await eventually(async () => {
+        const { points, knots } = await shape(page, "rectangle");
+        assert.deepEqual([points.length, knots?.length > 5], [5, true]);
+      });
+      const after = await outline(page, "rectangle").boundingBox();
+      assert.ok(round && after && Math.abs(round.width - after.width) < 1 && Math.abs(round.height - after.height) < 1);
+      const { width, height } = after;
+      await page.mouse.dblclick(after.x + width / 2, after.y + height - 7);
+      await eventually(async () => assert.equal((await shape(page, "rectangle")).points.length, 6));
       await page.locator("[data-shape-act=duplicate]").click();
       await eventually(async () => assert.equal(await field(page, "shape-name").inputValue(), "rectangle 2"));
       await page.locator("[data-shape-act=hole]").waitFor();

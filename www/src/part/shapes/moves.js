@@ -169,7 +169,7 @@ export function arrowStep(document) {
 }
 
 /** The name of a handle: that of the shape and its number, where it has several. @param {NamedShape} shape @param {number} point */
-export const handleName = (shape, point) => (pointsOf(shape).length > 1 ? `${shape.name} ${point + 1}` : shape.name);
+export const handleName = (shape, point) => (pointsOf(shape).length > 1 ? words.handles.nth(shape.name, point) : shape.name);
 
 /**
  * Where something is, in words.
