@@ -103,6 +103,30 @@ export function moveShapes(document, names, by) {
 }
 
 /**
+ * Names of the shapes that make a body together with its outline: its holes, and what its features are measured to.
+ * @param {WholePart} document
+ * @param {string} outline
+ * @returns {string[]} the outline first; it alone where it is the outline of no body
+ */
+export function bodyShapes({ bodies }, outline) {
+  const own = bodies.filter((body) => body.outline === outline);
+  const named = own.flatMap(({ holes = [], features = [] }) => [...holes, ...features.flatMap(referencesOf).filter((each) => typeof each === "string")]);
+  return [...new Set([outline, .../** @type {string[]} */ (named)])];
+}
+
+/**
+ * A document with some shapes as another one has them.
+ * @param {WholePart} document
+ * @param {WholePart} other
+ * @param {readonly string[]} names
+ * @returns {WholePart}
+ */
+export function withShapesOf(document, other, names) {
+  const shapes = mapped(shapesOf(document), (shape) => (names.includes(shape.name) ? (shapeOf(other, shape.name) ?? shape) : shape));
+  return shapes === shapesOf(document) ? document : { ...document, shapes };
+}
+
+/**
  * Puts a handle where it is wanted: a point there, the rim of a circle and the direction of a line through there.
  * @param {WholePart} document
  * @param {string} name
@@ -143,7 +167,8 @@ export function setDirection(document, name, direction) {
 export const setAngle = (document, name, degrees) => setDirection(document, name, directionAt(degrees));
 
 /** Gives a shape another geometry under its name. @param {WholePart} document @param {string} name @param {PartShape} geometry */
-export const setGeometry = (document, name, geometry) => changeShape(document, name, () => ({ ...geometry, name }));
+export const setGeometry = (document, name, geometry) =>
+  changeShape(document, name, () => ("name" in geometry && geometry.name === name ? /** @type {NamedShape} */ (geometry) : { ...geometry, name }));
 
 /**
  * Why a document cannot take more shapes, or null.

@@ -9,6 +9,7 @@
  * @import { Bench } from "../state.js"
  * @import { NamedShape } from "./geometry.js"
  */
+import { checkBox } from "../../controls/choices.js";
 import { numberField } from "../../controls/number-field.js";
 import { row } from "../../controls/row.js";
 import { select } from "../../controls/select.js";
@@ -18,6 +19,7 @@ import { icon, symbol } from "../../icons.js";
 import { gridStep } from "../../view.js";
 import { converted, targetsOf } from "../edits/convert.js";
 import {
+  bodyShapes,
   copyName,
   countAll,
   duplicateShape,
@@ -28,7 +30,7 @@ import {
   makeHole,
   MOST_BODIES,
   MOST_POINTS,
-  moveShape,
+  moveShapes,
   renameShape,
   setAngle,
   setCoordinate,
@@ -45,7 +47,7 @@ import { canRemove, whyNotInsert } from "../edits/points.js";
 import { bodyFor } from "./drawing.js";
 import { angleOf, countOf, FAR, handleCount, hasList, isClosed, middleOf, pointsOf } from "./geometry.js";
 import { insertAfter, removePoint, removeShape } from "./insert.js";
-import { arrowStep } from "./moves.js";
+import { along, arrowStep, movedWith } from "./moves.js";
 import { words } from "./words.js";
 
 /** Smallest radius of a field: smaller ones come by dragging. */
@@ -109,6 +111,8 @@ export function createShapeGroups(bench) {
     if (shape && shown.point !== null) removePoint(bench, shape.name, shown.point);
   });
   const pointRow = row("", { element: h("span", { class: "shape-points" }, step(-1), step(1), add, remove) });
+  const carry = checkBox({ name: "shape-along", text: [text.along] }, (on) => (along.isOn = on));
+  const carryRow = row("", carry);
   const uses = h("span", { class: "shape-uses" });
   const usesRow = row(text.used, { element: uses });
   const turn = h("span", { class: "shape-turn" });
@@ -132,7 +136,7 @@ export function createShapeGroups(bench) {
   const dropAll = command("delete-all", text.deleteAll, () => deleted(true));
   const commands = h("div", { class: "shape-commands" }, duplicate, body, hole, fill, drop, dropAll);
   const note = h("p", { class: "note" }, text.none);
-  const rows = h("div", {}, row(text.name, { element: name.element, error: nameError }), row(text.kind, { element: kind }), firstRow, secondRow, radiusRow, angleRow, pointRow, usesRow, turnRow, commands);
+  const rows = h("div", {}, row(text.name, { element: name.element, error: nameError }), row(text.kind, { element: kind }), firstRow, secondRow, radiusRow, angleRow, pointRow, carryRow, usesRow, turnRow, commands);
 
   /** @param {string} to */
   function rename(to) {
@@ -266,6 +270,8 @@ export function createShapeGroups(bench) {
         if (target !== null) write(hole, text.hole(document.bodies[target].name));
         fill.hidden = filled === undefined;
         if (filled) write(fill, text.fill(document.bodies[filled.body].name));
+        carryRow.hidden = bodyShapes(document, shape.name).length < 2;
+        carry.set(along.isOn);
         dropAll.hidden = !found.some(({ as }) => as === "outline" || as === "reference");
         attribute(rows, "data-shape", shape.name);
       },
@@ -290,7 +296,7 @@ function firstLabel(shape, point) {
 }
 
 /**
- * A coordinate of the first place of a shape, of the chosen point of a list, or of the middle of all its points, with which it moves.
+ * A coordinate of the first place of a shape, of the chosen point of a list, or of the middle of a whole shape, with which it moves.
  * @param {WholePart} document
  * @param {string} name
  * @param {number | null} point
@@ -300,10 +306,10 @@ function firstLabel(shape, point) {
 function placed(document, name, point, axis, value) {
   const shape = shapeOf(document, name);
   if (!shape) return document;
-  if (!hasList(shape)) return setCoordinate(document, name, 0, axis, value);
-  if (point !== null) return setCoordinate(document, name, point, axis, value);
+  const isWhole = shape.kind === "circle" || (hasList(shape) && point === null);
+  if (!isWhole) return setCoordinate(document, name, hasList(shape) ? (point ?? 0) : 0, axis, value);
   const by = value - middleOf(shape)[axis];
-  return moveShape(document, name, axis === 0 ? [by, 0] : [0, by]);
+  return moveShapes(document, movedWith(document, name), axis === 0 ? [by, 0] : [0, by]);
 }
 
 /** A coordinate of the end of a segment, or of the direction of a line. @param {WholePart} document @param {string} name @param {0 | 1} axis @param {number} value */

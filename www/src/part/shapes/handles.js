@@ -13,8 +13,8 @@ import { handleName, spokenPlace } from "./moves.js";
 import { controlPath, handleAt, litBy, outlinePath, rolesOf } from "./places.js";
 import { words } from "./words.js";
 
-/** Most handles at once; of more, every so many shows until the picture is zoomed in. */
-const MOST = 250;
+/** Pixels between one handle and the next that shows; those between them show once the picture is zoomed in. */
+const APART = 12;
 /** Pixels round the window within which a handle is made. */
 const BEYOND = 30;
 
@@ -44,8 +44,8 @@ export function createHandles(bench, state) {
     render() {
       const { document, shown, view, size } = bench.now();
       const { hovered, rims, hidden } = state();
-      element.hidden = !view || !shown.shapes;
-      if (!view || !shown.shapes) return;
+      element.hidden = !view || !shown.shapes || shown.compare;
+      if (!view || element.hidden) return;
       const shapes = shapesOf(document);
       grow(shapes.length);
       const role = rolesOf(document);
@@ -125,13 +125,16 @@ function createOutline() {
     /** @type {Map<number, Point>} */
     const places = new Map();
     if (quiet || (!chosen && !hovered)) return places;
+    /** @type {Point} */
+    let last = [-Infinity, -Infinity];
     for (let handle = 0; handle < handleCount(shape); handle += 1) {
       const at = handleAt(view, size, shape, handle, rim);
       const inside = at[0] > -BEYOND && at[1] > -BEYOND && at[0] < size.width + BEYOND && at[1] < size.height + BEYOND;
-      if (inside || handle === point) places.set(handle, at);
+      const apart = isReach(shape, handle) || Math.max(Math.abs(at[0] - last[0]), Math.abs(at[1] - last[1])) >= APART;
+      if (handle !== point && !(inside && apart)) continue;
+      places.set(handle, at);
+      last = at;
     }
-    const every = Math.ceil(places.size / MOST);
-    if (every > 1) for (const [n, handle] of [...places.keys()].entries()) if (n % every !== 0 && handle !== point) places.delete(handle);
     return places;
   }
 

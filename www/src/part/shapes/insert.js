@@ -29,7 +29,7 @@ function canInsert(bench, name) {
 /** @param {Bench} bench @param {string} name @param {number} point */
 function chosen({ app, change }, name, point) {
   change({ shape: name, point });
-  app.say(words.handles.inserted(`${name} ${point + 1}`));
+  app.say(words.handles.inserted(words.handles.nth(name, point)));
 }
 
 /**
@@ -107,7 +107,7 @@ export function removePoint(bench, name, point) {
   }
   bench.commit((document) => removePoints(document, name, [point]));
   bench.change({ point: Math.min(point, handleCount(shape) - 2) });
-  bench.app.say(words.handles.removed(`${name} ${point + 1}`));
+  bench.app.say(words.handles.removed(words.handles.nth(name, point)));
 }
 
 /**

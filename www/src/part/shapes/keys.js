@@ -6,7 +6,7 @@
  * @import { Held } from "./places.js"
  */
 import { newRun } from "../../controls/run.js";
-import { shapeOf } from "../edits/shapes.js";
+import { shapeNames, shapeOf } from "../edits/shapes.js";
 import { handleCount } from "./geometry.js";
 import { heldBy } from "./handles.js";
 import { insertAfter, removePoint, removeShape } from "./insert.js";
@@ -73,9 +73,11 @@ export function listenToKeys(bench, handles) {
         return true;
       case "Delete":
       case "Backspace":
-        if (point === null) removeShape(bench, name);
-        else removePoint(bench, name, point);
-        refocus();
+        if (point === null) dropWhole(name);
+        else {
+          removePoint(bench, name, point);
+          refocus();
+        }
         return true;
       case "Escape":
         if (!bench.app.store.cancel(run)) return false;
@@ -94,6 +96,16 @@ export function listenToKeys(bench, handles) {
     last = now;
     bench.commit((document) => nudged(document, held, arrow, event.shiftKey ? 10 : event.altKey ? 0.1 : 1), run);
     speak(held);
+  }
+
+  /** Deletes a shape, and goes on with the one that takes its place in the order. @param {string} name */
+  function dropWhole(name) {
+    const index = shapeNames(bench.now().document).indexOf(name);
+    removeShape(bench, name);
+    const names = shapeNames(bench.now().document);
+    const next = names[Math.min(index, names.length - 1)];
+    handles.render();
+    if (next !== undefined) handles.focus({ shape: next, point: null });
   }
 
   /** @param {string} shape @param {number | null} point */

@@ -9,11 +9,13 @@
  */
 import { coordinate, fixed } from "../../format.js";
 import { snappedTo } from "../../stage/snap.js";
-import { moveShape, placeHandle, setAngle, setGeometry, setRadius, shapeOf, shapesOf } from "../edits/shapes.js";
+import { bodyShapes, moveShapes, placeHandle, setAngle, setRadius, shapeOf, shapesOf, withShapesOf } from "../edits/shapes.js";
 import { aimed, gridStep } from "../../view.js";
 import { angleOf, boxOf, isReach, middleOf, pointsOf } from "./geometry.js";
 import { words } from "./words.js";
 
+/** Pixels within which a point of another shape holds what is moved, with snapping. */
+const NEAR = 8;
 /** Degrees that a direction rests on with snapping, those of an arrow key, and the decimals it has without. */
 const TURNS = 15;
 const TURN = 1;
@@ -31,17 +33,40 @@ function stepNow(bench, invert) {
 }
 
 /**
- * Where a place that is aimed at comes to rest: on the grid with snapping, else on a decimal that can be aimed at.
+ * Where a place that is aimed at comes to rest: with snapping on a point of another shape that is near, or on the grid; else on a decimal that can be aimed at.
  * @param {Bench} bench
  * @param {Point} at document units
  * @param {boolean} invert whether Control is held
+ * @param {string | null} [own] name of the shape that the place belongs to
  * @returns {Point}
  */
-export function rested(bench, at, invert) {
-  const { view } = bench.now();
+export function rested(bench, at, invert, own = null) {
+  const { document, view } = bench.now();
   const step = stepNow(bench, invert);
-  if (step !== null) return snappedTo(at, step);
+  if (step !== null) return (view && pointNear(document, at, NEAR / view.scale, own)) ?? snappedTo(at, step);
   return view ? [aimed(at[0], view), aimed(at[1], view)] : at;
+}
+
+/**
+ * The point of a shape nearest to a place; null where none is near.
+ * @param {WholePart} document
+ * @param {Point} at
+ * @param {number} reach document units
+ * @param {string | null} own the shape whose points do not count
+ * @returns {Point | null}
+ */
+function pointNear(document, [x, y], reach, own) {
+  /** @type {Point | null} */
+  let best = null;
+  let least = reach;
+  for (const shape of shapesOf(document)) {
+    if (shape.name === own) continue;
+    for (const point of pointsOf(shape)) {
+      const distance = Math.hypot(point[0] - x, point[1] - y);
+      if (distance <= least) [best, least] = [point, distance];
+    }
+  }
+  return best;
 }
 
 /** A radius that is aimed at. @param {Bench} bench @param {number} radius @param {boolean} invert */
@@ -62,22 +87,37 @@ export function restedAngle(bench, degrees, invert) {
 /** The angle from one place to another, degrees. @param {Point} from @param {Point} to */
 export const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
 
+/** Whether the outline of a body takes its holes and references along, for as long as the page is open. */
+export const along = { isOn: false };
+
+/** Names of the shapes that move with a whole one. @param {WholePart} document @param {string} name */
+export const movedWith = (document, name) => (along.isOn ? bodyShapes(document, name) : [name]);
+
+/** Whether a handle moves the whole of its shape: the centre of a circle does. @param {NamedShape} shape @param {number} point */
+const isMiddle = ({ kind }, point) => kind === "circle" && point === 0;
+
 /**
  * What is held, dragged by some way from where it was.
  * @param {Bench} bench
- * @param {NamedShape} start the shape before
+ * @param {WholePart} before the document when the drag began
  * @param {Held} held
- * @param {Point} aim for a handle the place it is dragged to, for a whole shape the way
+ * @param {Point} aim for a handle the place it is dragged to, for a whole shape the way, which goes by whole steps of the grid
  * @param {boolean} invert whether Control is held
  * @returns {(document: WholePart) => WholePart}
  */
-export function dragged(bench, start, { shape: name, point }, aim, invert) {
-  if (point === null) {
-    const by = rested(bench, aim, invert);
-    return (document) => {
-      const moved = shapeOf(moveShape({ ...document, shapes: [start] }, name, by), name);
-      return moved ? setGeometry(document, name, moved) : document;
-    };
+export function dragged(bench, before, { shape: name, point }, aim, invert) {
+  const start = shapeOf(before, name);
+  if (!start) return (document) => document;
+  if (point === null || isMiddle(start, point)) {
+    const step = stepNow(bench, invert);
+    const { view } = bench.now();
+    const way = (/** @type {Point} */ by) => (step !== null ? snappedTo(by, step) : view ? /** @type {Point} */ ([aimed(by[0], view), aimed(by[1], view)]) : by);
+    const [from] = pointsOf(start);
+    const to = point === null ? null : rested(bench, aim, invert, name);
+    const by = to ? /** @type {Point} */ ([to[0] - from[0], to[1] - from[1]]) : way(aim);
+    const names = movedWith(before, name);
+    const after = moveShapes(before, names, by);
+    return (document) => withShapesOf(document, after, names);
   }
   if (start.kind === "circle" && isReach(start, point)) {
     const radius = restedRadius(bench, Math.hypot(aim[0] - start.center[0], aim[1] - start.center[1]), invert);
@@ -87,7 +127,7 @@ export function dragged(bench, start, { shape: name, point }, aim, invert) {
     const angle = restedAngle(bench, angleTo(start.through, aim), invert);
     return (document) => setAngle(document, name, angle);
   }
-  const to = rested(bench, aim, invert);
+  const to = rested(bench, aim, invert, name);
   return (document) => placeHandle(document, name, point, to);
 }
 
@@ -103,7 +143,7 @@ export function nudged(document, { shape: name, point }, arrow, far) {
   const shape = shapeOf(document, name);
   if (!shape) return document;
   const by = arrowStep(document) * far;
-  if (point === null) return moveShape(document, name, [arrow[0] * by, arrow[1] * by]);
+  if (point === null || isMiddle(shape, point)) return moveShapes(document, movedWith(document, name), [arrow[0] * by, arrow[1] * by]);
   if (shape.kind === "circle" && isReach(shape, point)) return setRadius(document, name, shape.radius + (arrow[0] + arrow[1]) * by);
   if (shape.kind === "line" && isReach(shape, point)) {
     return setAngle(document, name, Number((angleOf(shape) + (arrow[1] - arrow[0]) * TURN * far).toFixed(6)));
@@ -129,7 +169,7 @@ export function arrowStep(document) {
 }
 
 /** The name of a handle: that of the shape and its number, where it has several. @param {NamedShape} shape @param {number} point */
-export const handleName = (shape, point) => (pointsOf(shape).length > 1 ? `${shape.name} ${point + 1}` : shape.name);
+export const handleName = (shape, point) => (pointsOf(shape).length > 1 ? words.handles.nth(shape.name, point) : shape.name);
 
 /**
  * Where something is, in words.

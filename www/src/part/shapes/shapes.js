@@ -71,7 +71,7 @@ export function createShapes(bench, stage) {
   /** What a place means: a handle of the chosen shape or of the one under the pointer, else an outline, that of the chosen shape first. @param {Point} at @returns {Held | null} */
   function heldAt(at) {
     const { document, view, size, shown } = bench.now();
-    if (!view || !shown.shapes) return null;
+    if (!view || !shown.shapes || shown.compare) return null;
     for (const name of new Set([shown.shape, hovered])) {
       const shape = shapeOf(document, name);
       const point = shape ? nearestHandle(view, size, shape, at, REACH[reach()], rims.get(shape.name)) : null;
@@ -113,7 +113,7 @@ export function createShapes(bench, stage) {
         if (start.kind === "circle" && held.point !== null && isReach(start, held.point)) {
           rims.set(held.shape, Math.atan2(aim[1] - start.center[1], aim[0] - start.center[0]));
         }
-        bench.commit(dragged(bench, start, held, aim, invert), run);
+        bench.commit(dragged(bench, document, held, aim, invert), run);
       },
       end() {
         handles.hold(null, false);

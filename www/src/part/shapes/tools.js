@@ -48,8 +48,9 @@ export function createTools(bench, stage) {
     bench.request();
   }
 
-  /** @param {string | null} made */
+  /** Gives the focus that was the tool's to what came of it; one that has gone elsewhere stays. @param {string | null} made */
   function focusAfter(made) {
+    if (document.activeElement !== document.body) return;
     const target = made === null ? button : stage.querySelector(`[data-part-shape="${CSS.escape(made)}"]`);
     if (target instanceof HTMLElement || target instanceof SVGElement) target.focus({ preventScroll: true });
   }
@@ -62,7 +63,8 @@ export function createTools(bench, stage) {
     /** Begins to draw. @param {Drawn} drawn */
     begin,
     render() {
-      element.hidden = tool !== null || bench.now().view === null;
+      const { view, shown } = bench.now();
+      element.hidden = tool !== null || view === null || shown.compare;
       tool?.render();
     },
     close() {

@@ -26,6 +26,7 @@ export const words = {
     region: "Shapes",
     group: (/** @type {string} */ name) => `Shape ${name}`,
     whole: (/** @type {string} */ name, /** @type {string} */ kind, /** @type {string} */ x, /** @type {string} */ y) => `${name}, ${kind.toLowerCase()}, middle x ${x}, y ${y}`,
+    nth: (/** @type {string} */ name, /** @type {number} */ point) => `${name}, point ${point + 1}`,
     point: (/** @type {string} */ name, /** @type {string} */ x, /** @type {string} */ y) => `${name}, x ${x}, y ${y}`,
     radius: (/** @type {string} */ name, /** @type {string} */ radius) => `${name}, radius ${radius}`,
     angle: (/** @type {string} */ name, /** @type {string} */ degrees) => `${name}, direction ${degrees}°`,
@@ -59,6 +60,7 @@ export const words = {
     next: "Next point",
     add: "Add",
     remove: "Remove",
+    along: "Holes and references move along",
     used: "Used by",
     unused: "nothing yet",
     uses: {
