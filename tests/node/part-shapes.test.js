@@ -6,14 +6,18 @@ import { test } from "node:test";
 import { load } from "directrix";
 import { root } from "../../scripts/lib/paths.mjs";
 import { converted, targetsOf, thinned } from "../../www/src/part/edits/convert.js";
+import { namedFor, nestingOf, withImported } from "../../www/src/part/edits/imported.js";
 import { canRemove, insertPoint, placeAfter, removePoints, whyNotInsert } from "../../www/src/part/edits/points.js";
 import {
   addBody,
   addShape,
+  bodyShapes,
+  copyName,
   deleteShape,
   duplicateShape,
   fillHole,
   freshName,
+  makeBody,
   makeHole,
   movePoints,
   moveShape,
@@ -32,7 +36,10 @@ import {
   whyNotAdd,
   whyNotName,
 } from "../../www/src/part/edits/shapes.js";
+import { bodyFor, nameFor, put, shapeFrom, whyNotPut } from "../../www/src/part/shapes/drawing.js";
 import { angleOf, areaOf, boxOf, chainOf, fewestOf, handleCount, nearestPiece, pointsOf } from "../../www/src/part/shapes/geometry.js";
+import { along, arrowStep, dragged, nudged, rested, restedAngle, restedRadius } from "../../www/src/part/shapes/moves.js";
+import { litBy, nearestHandle, outlinePath, rolesOf, under } from "../../www/src/part/shapes/places.js";
 
 /**
  * @typedef {import("../../www/src/part/document.js").WholePart} WholePart
@@ -90,6 +97,9 @@ function need(document, name) {
   assert.ok(shape, `there is no ${name}`);
   return shape;
 }
+
+/** @param {number} a @param {number} b @param {number} by */
+const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a}, not ${b}`);
 
 /** The codes of what the kernel says. @param {WholePart} document */
 const codes = (document) => dx.part(document).diagnostics.map(({ code, path }) => `${code} ${path}`);
@@ -230,12 +240,15 @@ test("shapes, bodies and holes are added under names of their own, up to the lim
   assert.equal(freshName(["circle 1"], "circle", 1), "circle 2");
   assert.equal(freshName([], "circle", 1), "circle 1");
   assert.ok(freshName(["n".repeat(100)], "n".repeat(100)).length <= 100);
-  const copy = duplicateShape(all, "bore", "bore 2", [20, 0]);
-  assert.deepEqual(need(copy, "bore 2"), { name: "bore 2", kind: "circle", center: [50, 20], radius: 6 });
+  assert.deepEqual([copyName(["pore 1", "pore 2"], "pore 1"), copyName(["rim"], "rim"), copyName(["a 9"], "a 9")], ["pore 3", "rim 2", "a 10"]);
+  const cut = duplicateShape(all, "bore", "bore 2", [20, 0]);
+  assert.deepEqual(need(cut, "bore 2"), { name: "bore 2", kind: "circle", center: [50, 20], radius: 6 });
   assert.equal(duplicateShape(all, "bore", "dot", [1, 1]), all);
-  const cut = makeHole(copy, 0, "bore 2");
-  assert.deepEqual([cut.bodies[0].holes, codes(cut)], [["bore", "bore 2"], []]);
-  assert.deepEqual(fillHole(cut, 0, "bore 2"), copy);
+  assert.deepEqual([cut.bodies[0].holes, codes(cut)], [["bore", "bore 2"], []], "the copy of a hole is one");
+  const copy = fillHole(cut, 0, "bore 2");
+  assert.deepEqual(makeHole(copy, 0, "bore 2"), cut);
+  assert.equal(makeBody(copy, "edge", "no ring"), copy);
+  assert.deepEqual(codes(makeBody(copy, "loop", "loop")), []);
   for (const same of [makeHole(cut, 0, "bore 2"), makeHole(cut, 0, "plate"), makeHole(cut, 9, "bore"), makeHole(cut, 0, "none"), fillHole(cut, 1, "bore")]) assert.equal(same, cut);
 
   const disc = addBody(all, { name: "disc", kind: "circle", center: [30, 60], radius: 5 }, "disc");
@@ -270,8 +283,8 @@ test("a polygon and a curve become each other, and the kernel makes what comes o
   // Chords lie inside, by a thousandth of half the diagonal at most.
   const [was, is] = [area(all), area(setGeometry(all, "blob", outlined))];
   assert.ok(Math.abs(was - is) / was < 4e-3, `${was}, ${is}`);
-  const chain = chainOf(need(all, "blob"), 200);
-  for (const at of outlined.points) assert.ok(nearestPiece(chain, true, at).distance < 1e-3);
+  const chain = chainOf(need(all, "blob"));
+  for (const at of outlined.points) assert.ok(nearestPiece(chain, true, at).distance < 1e-9);
   for (const at of chain) assert.ok(nearestPiece(outlined.points, true, at).distance < 1.05e-3 * Math.hypot(25, 40) * 0.5);
 
   const control = converted(need(all, "blob"), "control");
@@ -281,7 +294,7 @@ test("a polygon and a curve become each other, and the kernel makes what comes o
   // A curve through the points of a polygon passes them, and one through 16 points of a circle is round.
   const fitted = converted(need(all, "plate"), "curve");
   assert.ok(fitted);
-  for (const at of pointsOf(need(all, "plate"))) assert.ok(nearestPiece(chainOf(fitted, 400), true, at).distance < 1e-3);
+  for (const at of pointsOf(need(all, "plate"))) assert.ok(nearestPiece(chainOf(fitted), true, at).distance < 1e-3);
   const round = converted(need(all, "bore"), "curve");
   assert.ok(round);
   for (const [x, y] of chainOf(round)) assert.ok(Math.abs(Math.hypot(x - 30, y - 20) - 6) < 6 * 1e-4);
@@ -290,6 +303,121 @@ test("a polygon and a curve become each other, and the kernel makes what comes o
   assert.equal(converted(need(all, "dot"), "curve"), null);
   assert.equal(converted({ kind: "polygon", points: [[0, 0], [1, 1], [2, 2]] }, "curve"), null, "points on one line have no closed curve");
   assert.deepEqual(thinned([[0, 0], [1, 0.001], [2, 0], [2, 1]], 0.01), [[0, 0], [2, 0], [2, 1]]);
+});
+
+test("what is drawn is the shape of its points, as a reference, a body or a hole", () => {
+  /** @type {[number, number][]} */
+  const places = [[0, 0], [30, 0], [30, 40]];
+  assert.deepEqual(shapeFrom("circle", [[0, 0], [3, 4]]), { kind: "circle", center: [0, 0], radius: 5 });
+  assert.deepEqual(shapeFrom("line", [[1, 1], [1, 5]]), { kind: "line", through: [1, 1], direction: [0, 1] });
+  assert.deepEqual(shapeFrom("segment", places.slice(0, 2)), { kind: "segment", from: [0, 0], to: [30, 0] });
+  assert.deepEqual(shapeFrom("polyline", places), { kind: "polyline", points: places });
+  for (const kind of /** @type {const} */ (["closed", "open"])) {
+    const curve = shapeFrom(kind, places);
+    assert.ok(curve?.kind === "curve" && (curve.form === "open") === (kind === "open"));
+    for (const at of places) assert.ok(nearestPiece(chainOf(curve), kind === "closed", at).distance < 1e-3, kind);
+  }
+  for (const same of /** @type {const} */ (["circle", "line", "segment"])) assert.equal(shapeFrom(same, [[1, 1], [1, 1]]), null);
+  assert.equal(shapeFrom("polygon", places.slice(0, 2)), null);
+  assert.equal(shapeFrom("closed", [[0, 0], [1, 1], [2, 2]]), null);
+
+  const disc = /** @type {Extract<import("directrix").PartShape, {kind: "circle"}>} */ ({ kind: "circle", center: [45, 30], radius: 2 });
+  assert.equal(bodyFor(all, null, disc), 0, "the body that it lies in");
+  assert.equal(bodyFor(all, 1, disc), 1, "the chosen one");
+  assert.equal(bodyFor(all, null, { ...disc, center: [500, 0] }), 1, "the uppermost");
+  assert.equal(bodyFor({ ...all, bodies: [] }, null, disc), null);
+  assert.equal(nameFor(all, "circle", "reference"), "circle 1");
+  assert.equal(nameFor(put(all, "hole 1", disc, "hole", 0), "circle", "hole"), "hole 2");
+  const cut = put(all, "hole 1", disc, "hole", 0);
+  assert.deepEqual([cut.bodies[0].holes, codes(cut), dx.part(cut).probe([45, 30])], [["bore", "hole 1"], [], null]);
+  assert.deepEqual(put(all, "circle 1", disc, "body", null).bodies.at(-1)?.name, "body 1");
+  assert.equal(put(all, "circle 1", disc, "reference", null).bodies, all.bodies);
+  assert.equal(whyNotPut({ ...all, bodies: [] }, disc, "hole", null), "noBody");
+  assert.equal(whyNotPut({ ...all, bodies: Array(64).fill(all.bodies[0]) }, disc, "body", null), "mostBodies");
+  assert.equal(whyNotPut(all, disc, "body", null), null);
+});
+
+test("what is held rests on the grid, on points of other shapes, or on what can be aimed at", () => {
+  const view = { center: /** @type {[number, number]} */ ([50, 30]), scale: 10 };
+  const size = { width: 1000, height: 600 };
+  /** @param {number | null} step @returns {any} */
+  const bench = (step) => ({ now: () => ({ document: all, view, size }), step: () => step });
+  assert.deepEqual(rested(bench(null), [12.3456, 7.8912], false), [12.35, 7.89]);
+  assert.deepEqual(rested(bench(5), [12.3, 22.8], false), [10, 25]);
+  assert.deepEqual(rested(bench(5), [12.3, 22.8], true), [12.3, 22.8], "Control turns it round");
+  assert.deepEqual(rested(bench(null), [12.3, 22.8], true), [10, 25]);
+  assert.deepEqual(rested(bench(5), [15.4, 37.7], false), [15, 38], "a point of the arc is nearer than the grid");
+  assert.deepEqual(rested(bench(5), [15.4, 37.7], false, "arc"), [15, 40]);
+  assert.deepEqual([restedRadius(bench(5), 1, false), restedRadius(bench(null), 0.001, false)], [5, 0.1], "a radius stays above 0");
+  assert.deepEqual([restedAngle(bench(5), 37, false), restedAngle(bench(null), 37.04, false)], [30, 37]);
+
+  const bore = need(all, "bore");
+  const at = (/** @type {WholePart} */ document) => need(document, "bore");
+  assert.deepEqual(at(dragged(bench(5), all, { shape: "bore", point: null }, [7, -4], false)(all)), { ...bore, center: [35, 15] });
+  assert.deepEqual(at(dragged(bench(null), all, { shape: "bore", point: 1 }, [30, 23], false)(all)), { ...bore, radius: 3 });
+  assert.equal(dragged(bench(5), all, { shape: "bore", point: null }, [2, -2], false)(all), all, "less than a step is no edit");
+  // Every step of a drag starts from the shape as it was.
+  const twice = dragged(bench(5), all, { shape: "bore", point: null }, [5, 0], false)(dragged(bench(5), all, { shape: "bore", point: null }, [50, 0], false)(all));
+  assert.deepEqual(at(twice), { ...bore, center: [35, 20] });
+
+  assert.deepEqual(bodyShapes(all, "plate"), ["plate", "bore", "edge", "dot"]);
+  assert.deepEqual(bodyShapes(all, "path"), ["path"]);
+  along.isOn = true;
+  const whole = dragged(bench(5), all, { shape: "plate", point: null }, [6, 4], false)(all);
+  assert.deepEqual(whole, moveShapes(all, ["plate", "bore", "edge", "dot"], [5, 5]));
+  assert.deepEqual(nudged(whole, { shape: "plate", point: null }, [-1, 0], 5), moveShapes(all, ["plate", "bore", "edge", "dot"], [0, 5]));
+  along.isOn = false;
+
+  assert.equal(arrowStep(all), 1);
+  assert.deepEqual(at(nudged(all, { shape: "bore", point: 0 }, [1, 0], 10)), { ...bore, center: [40, 20] });
+  assert.deepEqual(at(nudged(all, { shape: "bore", point: 1 }, [0, 1], 0.1)), { ...bore, radius: 6.1 });
+  assert.equal(at(nudged(all, { shape: "bore", point: 1 }, [-1, 0], 10)), bore, "no circle without a radius");
+  const axis = need(nudged(all, { shape: "axis", point: 1 }, [0, 1], 1), "axis");
+  assert.ok(axis.kind === "line" && angleOf(axis) === 1);
+  const full = [...Array(360)].reduce((document) => nudged(document, { shape: "axis", point: 1 }, [0, 1], 1), all);
+  assert.deepEqual(/** @type {any} */ (need(full, "axis")).direction, [1, 0], "all the way round");
+});
+
+test("the pointer finds handles before outlines, and of outlines in one place points before pieces before rings", () => {
+  const view = { center: /** @type {[number, number]} */ ([50, 30]), scale: 10 };
+  const size = { width: 1000, height: 600 };
+  const screen = (/** @type {number} */ x, /** @type {number} */ y) => /** @type {[number, number]} */ ([500 + (x - 50) * 10, 300 - (y - 30) * 10]);
+  assert.deepEqual(under(all, view, size, screen(0, 30), 7), ["edge", "plate"]);
+  assert.deepEqual(under(all, view, size, screen(5, 5), 7).slice(0, 2), ["dot", "path"]);
+  assert.deepEqual(under(all, view, size, screen(300, 20.3), 7), ["axis"], "a line has no ends");
+  assert.deepEqual(under(all, view, size, screen(30, 26.5), 7), ["bore"]);
+  assert.deepEqual(under(all, view, size, screen(10, 28), 7), []);
+  assert.equal(nearestHandle(view, size, need(all, "plate"), screen(59, 40.5), 12), 2);
+  assert.equal(nearestHandle(view, size, need(all, "bore"), screen(36, 20), 12), 1);
+  assert.equal(nearestHandle(view, size, need(all, "bore"), screen(30, 26), 12, Math.PI / 2), 1, "where it was dragged to");
+  assert.equal(nearestHandle(view, size, need(all, "plate"), screen(30, 20), 12), null);
+  // The path of a line leaves the window on both sides.
+  const [[ax], [bx]] = [...outlinePath(view, size, need(all, "axis")).matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map((pair) => [Number(pair[1]), Number(pair[2])]);
+  assert.ok(ax < 0 && bx > size.width, `${ax}, ${bx}`);
+  const role = rolesOf(all);
+  assert.deepEqual(["plate", "bore", "edge", "path"].map(role), ["boundary", "boundary", "reference", "unused"]);
+  assert.deepEqual([...litBy(all, 0, 1)], ["plate"], "a boundary lights what is left of it");
+  assert.deepEqual([...litBy(all, 0, 2)].sort(), ["dot", "edge", "plate"]);
+  assert.equal(litBy(all, 0, null).size, 0);
+});
+
+test("imported shapes get names of their own; those that lie in others become their holes, and those in holes bodies again", () => {
+  const square = (/** @type {number} */ low, /** @type {number} */ high) => ({
+    kind: /** @type {const} */ ("polygon"),
+    points: /** @type {[number, number][]} */ ([[low, low], [high, low], [high, high], [low, high]]),
+  });
+  const read = [{ name: "plate", shape: square(-50, -10) }, { name: "", shape: square(-40, -20) }, { name: "bore", shape: square(-35, -25) }, { name: "plate", shape: square(-33, -30) }];
+  const named = namedFor(all, read);
+  assert.deepEqual(named.map(({ name }) => name), ["plate 2", "shape", "bore 2", "plate 3"]);
+  assert.deepEqual(nestingOf(named), [{ depth: 0, within: null }, { depth: 1, within: 0 }, { depth: 2, within: 1 }, { depth: 3, within: 2 }]);
+  const bodies = withImported(all, named, "body", null);
+  assert.deepEqual(bodies.bodies.slice(2).map(({ name, outline, holes }) => [name, outline, holes]), [["plate 2", "plate 2", ["shape"]], ["bore 2", "bore 2", ["plate 3"]]]);
+  assert.deepEqual(codes(bodies), []);
+  const areas = dx.part(bodies).amounts({ box: [[-51, -51], [-9, -9]], size: [420, 420] }).bodies.map(({ area }) => area);
+  near(areas[2], 1600 - 400, 12);
+  near(areas[3], 100 - 9, 12);
+  assert.deepEqual(withImported(all, named, "reference", null).bodies, all.bodies);
+  assert.deepEqual(withImported(all, named.slice(2, 3), "hole", 0).bodies[0].holes, ["bore", "bore 2"]);
 });
 
 test("shapes of the presets have boxes, chains and handles, and every one moves and comes back", () => {

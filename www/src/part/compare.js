@@ -19,6 +19,7 @@ import { entry, fractionBar, NOTHING } from "../space/card.js";
 import { Lane } from "../state/lane.js";
 import { toPlane, toScreen } from "../view.js";
 import { createCanvas } from "./canvas.js";
+import { setRule } from "./edits/bodies.js";
 import { colorPixels, differencePixels, differencesOf } from "./pixels.js";
 import { VOXELS, wholeFrame } from "./raster.js";
 import { pixelAt } from "./reading.js";
@@ -37,19 +38,6 @@ const STEP = 0.02;
 
 /** @type {{[key: string]: Point}} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
-/**
- * A document in which one body follows a rule.
- * @param {WholePart} document
- * @param {number} body
- * @param {Rule} rule
- * @returns {WholePart} the same object where it does already
- */
-export function withRule(document, body, rule) {
-  const { bodies } = document;
-  if (!bodies[body] || (bodies[body].rule ?? "repaired") === rule) return document;
-  return { ...document, bodies: bodies.map((each, k) => (k === body ? { ...each, rule } : each)) };
-}
 
 /** @param {Bench} bench */
 export function createCompare(bench) {
@@ -75,7 +63,7 @@ export function createCompare(bench) {
   const element = h(
     "div",
     { class: "part-compare", hidden: true, "data-furniture": "", "data-part-compare": "" },
-    h("div", { class: "part-compare-head" }, h("p", {}, words.compare.hint), bodyAt, difference.element),
+    h("div", { class: "part-compare-head" }, h("p", {}, matchMedia("(pointer: coarse)").matches ? words.compare.hintTouch : words.compare.hint), bodyAt, difference.element),
     help,
     failure,
     h("div", { class: "part-rules", role: "group", "aria-label": words.compare.group, "aria-describedby": help.id }, ...cards.map((card) => card.element)),
@@ -87,7 +75,7 @@ export function createCompare(bench) {
       /** @type {Result[]} */
       const results = [];
       for (const rule of RULES) {
-        const part = await app.kernel.part(withRule(document, of, rule), { signal });
+        const part = await app.kernel.part(setRule(document, of, rule), { signal });
         if (!part.box) return [];
         const frame = wholeFrame(part.box, isFine ? VOXELS.fine : VOXELS.coarse);
         results.push({ rule, raster: await part.evaluate({ ...frame, colors: true }, { signal }) });
@@ -124,7 +112,7 @@ export function createCompare(bench) {
   /** @param {Rule} rule */
   function adopt(rule) {
     const of = bodyNow();
-    bench.commit((document) => withRule(document, of, rule));
+    bench.commit((document) => setRule(document, of, rule));
     const { document } = bench.now();
     app.say(words.compare.adopted(words.compare.rules[rule], document.bodies[of]?.name ?? ""));
   }
@@ -144,7 +132,7 @@ export function createCompare(bench) {
     const use = h("button", { type: "button", class: "push", "data-rule": rule, onclick: () => adopt(rule) }, words.compare.adopt);
     const differs = h("p", { class: "part-rule-differs" });
     const reading = h("div", { class: "part-rule-reading" });
-    const card = h("section", { class: "part-rule", "data-part-rule": rule }, h("div", { class: "part-rule-head" }, title, use), picture, differs, reading, h("p", { class: "part-note" }, words.compare.notes[rule]));
+    const card = h("section", { class: "part-rule", "data-part-rule": rule }, h("div", { class: "part-rule-head" }, title, use), picture, differs, h("p", { class: "part-note" }, words.compare.notes[rule]), reading);
     picture.addEventListener("pointermove", (event) => read(placeIn(event)));
     picture.addEventListener("pointerleave", (event) => {
       if (event.pointerType !== "touch") read(null);
@@ -217,7 +205,7 @@ export function createCompare(bench) {
         reading.replaceChildren(
           ...(fractions
             ? [fractionBar(fractions, materials), ...fractions.flatMap((fraction, i) => (fraction < NOTHING ? [] : [entry(materials[i]?.name ?? "", percent(fraction))]))]
-            : [h("p", { class: "part-note" }, words.compare.nothing)]),
+            : [h("p", { class: "part-rule-none" }, words.compare.nothing)]),
         );
       },
     };

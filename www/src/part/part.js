@@ -10,6 +10,7 @@ import "../../styles/space.css";
 import "../../styles/part.css";
 import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
+import { openGallery } from "../frame/gallery.js";
 import { createGroups } from "../inspector/inspector.js";
 import { listenToGestures } from "../stage/gestures.js";
 import { createZoom } from "../stage/zoom.js";
@@ -26,10 +27,11 @@ import { createProfileGroups } from "./profile/groups.js";
 import { createRuleGroups } from "./rules/groups.js";
 import { createRunner } from "./runner.js";
 import { leave, leftOf } from "./seen.js";
+import { createShapeGroups } from "./shapes/groups.js";
+import { createShapes } from "./shapes/shapes.js";
 import { createSheets } from "./sheets.js";
-import { extentOf, FIRST_SHOWN, stepIn, withoutGone } from "./state.js";
+import { extentOf, FIRST_SHOWN, firstChoice, stepIn, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
-import { treeGroup } from "./tree/place.js";
 import { createTree } from "./tree/tree.js";
 import { words } from "./words.js";
 
@@ -41,7 +43,10 @@ const REST = 250;
 const ROOM = { top: 56, side: 40 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
-let memory = { open: ["tree", "feature", "profile", "overlap", "rules", "checks", "leaves", "display"], tab: "tree" };
+let memory = { open: ["tree", "feature", "profile", "overlap", "display"], tab: "tree" };
+/** Width from which the list of features has a place of its own. */
+const WIDE = "(width >= 1200px)";
+
 /** @param {App} app */
 export function createPart(app) {
   /** @type {ReturnType<typeof openWorkbench> | null} */
@@ -96,8 +101,8 @@ function openWorkbench(app) {
     app,
     now: () => ({ document: partOf(app), known, isCurrent: known?.document === partOf(app), shown, view: isFramed() ? ui.value.view : null, size: ui.value.size }),
     change(patch) {
-      const next = { ...shown, ...patch };
-      shown = next;
+      reveal(patch);
+      shown = { ...shown, ...patch };
       keepLater();
       request();
     },
@@ -125,36 +130,48 @@ function openWorkbench(app) {
     (value) => bench.change({ leaves: value === "leaves", compare: value === "compare", leaf: null }),
   );
   const told = h("p", { class: "part-told" });
+  const gallery = h("button", { type: "button", class: "outlined", "data-empty": "gallery", onclick: () => void openGallery(app) }, words.empty.gallery);
+  const empty = h("div", { class: "empty", hidden: true, "data-part-empty": "" }, h("p", {}, words.empty.line), h("div", { class: "empty-commands", "data-furniture": "" }, gallery));
   stage.append(
     h("div", { class: "modes", "data-furniture": "" }, look.element),
     canvas,
     /** @type {any} */ (lines.element),
     ...probe.nodes,
     told,
+    empty,
     foot,
     compare.element,
   );
   const groupsAt = h("div", { class: "part-groups groups" });
   aside.append(groupsAt);
   const tree = createTree(bench);
-  const pieces = [treeGroup(tree, list, over.signal), ...createProfileGroups(bench), ...createRuleGroups(bench)];
-  const groups = createGroups(groupsAt, words.region, [...pieces, checksGroup(bench), leavesGroup(bench), displayGroup(bench)], {
+  const treeAt = h("div", {});
+  const treeGroup = { name: "tree", heading: words.tree, body: treeAt, phrase: () => "", render() {} };
+  const wide = matchMedia(WIDE);
+  const placeTree = () => (wide.matches ? list : treeAt).append(tree.element);
+  wide.addEventListener("change", placeTree, { signal: over.signal });
+  placeTree();
+  const all = [treeGroup, ...createShapeGroups(bench), ...createProfileGroups(bench), ...createRuleGroups(bench), leavesGroup(bench), checksGroup(bench), displayGroup(bench)];
+  const groups = createGroups(groupsAt, words.region, all, {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };
       request();
     },
   });
+  const shapes = createShapes(bench, stage);
   const gestures = listenToGestures(app, stage, {
     press(at) {
       probe.hover(null);
-      return gestures.pan(at);
+      const stroke = shapes.stroke(at);
+      return stroke ? { ...stroke, kind: "stroke", from: at, moved: false } : gestures.pan(at);
     },
     hover(at, isPressed) {
-      if (!isPressed) probe.hover(at);
+      if (!isPressed) probe.hover(shapes.hover(at) ? null : at);
     },
     released({ kind, moved }, at, event) {
-      if (!moved && kind === "pan" && event.pointerType === "touch") probe.hover(at);
+      if (moved || shapes.tap(at, event)) return;
+      if (kind === "pan" && event.pointerType === "touch") probe.hover(at);
     },
     signal: over.signal,
   });
@@ -179,6 +196,17 @@ function openWorkbench(app) {
     },
   });
 
+  /** Opens the groups of what is chosen anew. @param {Partial<Shown>} patch */
+  function reveal(patch) {
+    const isNew = (/** @type {"shape" | "feature" | "rule" | "body"} */ key) => patch[key] !== undefined && patch[key] !== null && patch[key] !== shown[key];
+    const names = [
+      ...(isNew("shape") ? ["shape"] : []),
+      ...(isNew("feature") || (isNew("body") && patch.feature != null) ? ["feature", "profile"] : []),
+      ...(isNew("rule") ? ["rules"] : []),
+    ];
+    if (names.length > 0) memory = { ...memory, open: [...new Set([...memory.open, ...names])] };
+  }
+
   let frame = 0;
   /** Draws in the next frame, once. */
   function request() {
@@ -192,6 +220,8 @@ function openWorkbench(app) {
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
+  /** The view as it was drawn last. */
+  let seenView = /** @type {import("../types.js").View | null} */ (null);
 
   /** Keeps what a reload and the way back bring, once it rests. */
   function keepLater() {
@@ -214,7 +244,7 @@ function openWorkbench(app) {
     const isOther = framed !== name;
     if (isOther) {
       const seen = leftOf(app, name);
-      shown = seen?.shown ?? FIRST_SHOWN;
+      shown = seen?.shown ?? { ...FIRST_SHOWN, ...firstChoice(partOf(app)) };
       framed = name;
       if (seen?.view) return ui.set({ view: seen.view, fitted: seen.fitted, fitScale: seen.fitScale });
     }
@@ -270,17 +300,24 @@ function openWorkbench(app) {
     ask();
     const { view, size } = bench.now();
     const { theme, layers } = ui.value;
+    if (view !== seenView) {
+      seenView = view;
+      keepLater();
+    }
     if (view && known) draw({ view, size, theme, hasGrid: layers.includes("grid"), ...sheets.of(known, shown) });
     attribute(canvas, "aria-label", words.picture(document.title ?? "", summaryOf(bench)));
     look.set(shown.compare ? "compare" : shown.leaves ? "leaves" : "colors");
     write(told, toldNow());
+    empty.hidden = (document.shapes ?? []).length > 0 || ui.value.drawing || app.tool !== null;
     zoom.render();
     lines.render();
+    shapes.render();
     probe.render();
     legend.render();
     compare.render();
-    tree.render();
     groups.render();
+    tree.render();
+    stage.dataset.look = shown.compare ? "compare" : shown.leaves ? "leaves" : "colors";
     stage.dataset.part = known?.document !== document ? "" : known.measured ? "measured" : "shown";
     renderStatus(bench, status, { reason, cancel: runner.cancel, retry });
   }
@@ -294,6 +331,7 @@ function openWorkbench(app) {
       runner.close();
       probe.close();
       compare.close();
+      shapes.close();
       stage.remove();
       aside.remove();
       list.remove();

@@ -8,8 +8,9 @@
  */
 import { toPlane } from "../view.js";
 
-/** Pixels evaluated at most while something moves, and when it rests. */
-export const COARSE = 120_000;
+/** Pixels evaluated while something moves, and the milliseconds that they should take at most, so that each frame can have its picture. */
+const COARSE = { least: 16_000, first: 60_000, most: 160_000, ms: 12 };
+/** Pixels evaluated at most when it rests. */
 export const FINE = 2_400_000;
 /** Pixels for the lines of equal fraction: the kernel takes about a million. */
 export const LINES = 300_000;
@@ -17,6 +18,12 @@ export const LINES = 300_000;
 export const VOXELS = { coarse: 160, fine: 500 };
 /** Pixels along the longer side of a part for its measures, where it needs no voxels. */
 export const MEASURED = 1000;
+
+/**
+ * How many pixels can be evaluated while something moves.
+ * @param {number | null} rate pixels for a millisecond, as far as is known
+ */
+export const coarsePixels = (rate) => (rate === null ? COARSE.first : Math.round(Math.min(COARSE.most, Math.max(COARSE.least, rate * COARSE.ms))));
 
 /** Whether a body takes voxels, so that its composition depends on their number. @param {WholePart} document */
 export const needsVoxels = ({ bodies }) => bodies.some(({ rule }) => rule === "printed");

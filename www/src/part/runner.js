@@ -20,10 +20,12 @@
  */
 import { problem } from "../painter.js";
 import { Lane } from "../state/lane.js";
-import { COARSE, FINE, LINES, MEASURED, needsVoxels, thinned, visibleFrame, VOXELS, wholeFrame } from "./raster.js";
+import { coarsePixels, FINE, LINES, MEASURED, needsVoxels, thinned, visibleFrame, VOXELS, wholeFrame } from "./raster.js";
 
 /** Milliseconds of rest before all pixels are evaluated. */
 const REST = 180;
+/** Share of a new measurement in the mean speed. */
+const FOLLOW = 0.4;
 /** Lines of equal fraction every tenth, and every fifth while something moves. */
 const LEVELS = { fine: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9], coarse: [0.2, 0.4, 0.6, 0.8] };
 
@@ -40,6 +42,10 @@ export function createRunner(app, { changed, refused, interrupted }) {
   let newest = null;
   /** @type {Known | null} */
   let latest = null;
+  /** What the newest pixels of a page at rest are of. @type {Wanted | null} */
+  let fineOf = null;
+  /** Pixels evaluated for a millisecond, lately. @type {number | null} */
+  let rate = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
   /** Whether what runs is for a page at rest, and whether it is given up for something newer, of which nobody is told. */
@@ -57,6 +63,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
       const found = await look(part, job, control);
       /** @type {Known} */
       const known = { document, part, ...found, measured: latest?.document === document ? latest.measured : null, isFine: job.isFine };
+      if (job.isFine) fineOf = job;
       if (!job.isFine || known.measured) return known;
       // The picture does not wait for the measures.
       if (document === newest?.document) tell(known);
@@ -79,7 +86,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
   /** The pixels of a job. @param {Known["part"]} part @param {Job} job @returns {Frame | null} */
   function frameOf(part, { document, view, size, ratio, isFine }) {
     if (needsVoxels(document)) return part.box && wholeFrame(part.box, isFine ? VOXELS.fine : VOXELS.coarse);
-    return visibleFrame(view, size, ratio, isFine ? FINE : COARSE);
+    return visibleFrame(view, size, ratio, isFine ? FINE : coarsePixels(rate));
   }
 
   /**
@@ -94,12 +101,15 @@ export function createRunner(app, { changed, refused, interrupted }) {
     const empty = { size: /** @type {[number, number]} */ ([1, 1]), box: visibleFrame(job.view, job.size, 1, 1).box };
     const started = performance.now();
     const at = frame ?? empty;
-    const raster = await part.evaluate({ ...at, colors: true }, control);
-    const ms = performance.now() - started;
-    const violations = shown.violations && (document.rules ?? []).length > 0 ? await part.violations(at, control) : null;
+    // Of a part with voxels, and where only lines or hatching are asked for, the same pixels are there already.
+    const same = latest?.document === document && isSame(latest.raster, at) ? latest : null;
+    const raster = same?.raster ?? (await part.evaluate({ ...at, colors: true }, control));
+    const ms = same?.ms ?? performance.now() - started;
+    if (!same && !isFine && !needsVoxels(document)) rate = smoothed(rate, (raster.size[0] * raster.size[1]) / Math.max(1, ms));
+    const violations = shown.violations && (document.rules ?? []).length > 0 ? (same?.violations ?? (await part.violations(at, control))) : null;
     const isolines =
       shown.isolines === null ? null : await part.isolines({ ...thinned(at, LINES), material: shown.isolines, levels: LEVELS[isFine ? "fine" : "coarse"] }, control);
-    const reference = shown.difference && needsVoxels(document) ? await (await kernel.part(repaired(document), control)).evaluate(at, control) : null;
+    const reference = shown.difference && needsVoxels(document) ? (same?.reference ?? (await (await kernel.part(repaired(document), control)).evaluate(at, control))) : null;
     return { raster, ms, violations, isolines, reference };
   }
 
@@ -115,6 +125,10 @@ export function createRunner(app, { changed, refused, interrupted }) {
     const overlapping = leaves.filter(({ features }) => features.length > 1).reduce((sum, leaf) => sum + leaf.area, 0);
     return { area, amounts, leaves, overlap: area > 0 ? overlapping / area : 0, ...checked(raster), rules };
   }
+
+  /** Whether all pixels are there already, and something else is wanted of them. @param {Wanted} wanted */
+  const isAtRest = ({ document, view, size }) =>
+    latest?.isFine === true && latest.document === document && (needsVoxels(document) || (fineOf?.view === view && fineOf.size === size));
 
   /** @param {Known} known */
   function tell(known) {
@@ -141,7 +155,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
         isSuperseded = true;
         lane.cancel();
       }
-      lane.push({ ...wanted, isFine: false });
+      lane.push({ ...wanted, isFine: isAtRest(wanted) });
     },
     /** Gives up for the person, who is told. */
     cancel() {
@@ -157,6 +171,12 @@ export function createRunner(app, { changed, refused, interrupted }) {
     },
   };
 }
+
+/** Whether a raster has these pixels. @param {Pick<Known["raster"], "size" | "box">} raster @param {Frame} frame */
+const isSame = ({ size, box }, frame) => String([size, box]) === String([frame.size, frame.box]);
+
+/** A mean that follows what is measured within a few measurements. @param {number | null} mean @param {number} next */
+const smoothed = (mean, next) => (mean === null ? next : mean + FOLLOW * (next - mean));
 
 /** The document with every body by the rule `repaired`. @param {WholePart} document @returns {WholePart} */
 export const repaired = (document) => ({ ...document, bodies: document.bodies.map((body) => ({ ...body, rule: "repaired" })) });

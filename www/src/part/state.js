@@ -86,6 +86,12 @@ export const FIRST_SHOWN = {
 /** What is chosen when nothing is. */
 export const NOTHING_CHOSEN = { body: null, feature: null, shape: null, point: null, rule: null, witness: null };
 
+/** What is chosen in a document that has just been opened: its first feature, whose profile is then there to be seen. @param {WholePart} document */
+export function firstChoice({ bodies }) {
+  const body = bodies.findIndex(({ features = [] }) => features.length > 0);
+  return body < 0 ? {} : { body, feature: 0 };
+}
+
 /** The step of the grid in a view, which also holds what is snapped. @param {View | null} view @param {boolean} snaps */
 export const stepIn = (view, snaps) => (view && snaps ? gridStep(view.scale) : null);
 

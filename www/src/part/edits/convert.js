@@ -13,8 +13,6 @@ import { chainOf, isClosed, keptPoint, reachOf } from "../shapes/geometry.js";
 
 /** Farthest that a chain of segments lies from the curve that it stands for, over half the diagonal of the curve. */
 const TOLERANCE = 1e-3;
-/** Chords of one knot span, of which a chain keeps what it needs. */
-const CHORDS = 64;
 /** Points of a circle that its curve passes: it is then nowhere farther from it than 5e-5 of the radius. */
 const ROUND = 16;
 /** Segments of a polygon that stands for a circle within the tolerance. */
@@ -70,7 +68,7 @@ function ofCurve(curve, target) {
   const closed = isClosed(curve);
   const kind = closed ? "polygon" : "polyline";
   if (target === "control") return { kind, points: curve.form === "clamped" ? curve.points.slice(0, -1) : curve.points };
-  const chain = chainOf(curve, CHORDS);
+  const chain = chainOf(curve);
   const ring = closed && chain.length > 1 ? chain.slice(0, -1) : chain;
   const points = thinned(closed ? [...ring, ring[0]] : ring, TOLERANCE * reachOf(curve)).map(keptPoint);
   if (!closed) return { kind, points };

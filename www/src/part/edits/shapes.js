@@ -11,7 +11,7 @@
  * @property {number} body index
  * @property {number | null} feature index in the queue of the body; null of outlines and holes
  */
-import { countOf, directionAt, FAR, handleCount, isClamped, isReach, kept, keptPoint } from "../shapes/geometry.js";
+import { countOf, directionAt, FAR, handleCount, isClamped, isClosed, isReach, kept, keptPoint } from "../shapes/geometry.js";
 
 /** Limits of the format. */
 export const MOST_SHAPES = 500;
@@ -103,6 +103,30 @@ export function moveShapes(document, names, by) {
 }
 
 /**
+ * Names of the shapes that make a body together with its outline: its holes, and what its features are measured to.
+ * @param {WholePart} document
+ * @param {string} outline
+ * @returns {string[]} the outline first; it alone where it is the outline of no body
+ */
+export function bodyShapes({ bodies }, outline) {
+  const own = bodies.filter((body) => body.outline === outline);
+  const named = own.flatMap(({ holes = [], features = [] }) => [...holes, ...features.flatMap(referencesOf).filter((each) => typeof each === "string")]);
+  return [...new Set([outline, .../** @type {string[]} */ (named)])];
+}
+
+/**
+ * A document with some shapes as another one has them.
+ * @param {WholePart} document
+ * @param {WholePart} other
+ * @param {readonly string[]} names
+ * @returns {WholePart}
+ */
+export function withShapesOf(document, other, names) {
+  const shapes = mapped(shapesOf(document), (shape) => (names.includes(shape.name) ? (shapeOf(other, shape.name) ?? shape) : shape));
+  return shapes === shapesOf(document) ? document : { ...document, shapes };
+}
+
+/**
  * Puts a handle where it is wanted: a point there, the rim of a circle and the direction of a line through there.
  * @param {WholePart} document
  * @param {string} name
@@ -143,7 +167,8 @@ export function setDirection(document, name, direction) {
 export const setAngle = (document, name, degrees) => setDirection(document, name, directionAt(degrees));
 
 /** Gives a shape another geometry under its name. @param {WholePart} document @param {string} name @param {PartShape} geometry */
-export const setGeometry = (document, name, geometry) => changeShape(document, name, () => ({ ...geometry, name }));
+export const setGeometry = (document, name, geometry) =>
+  changeShape(document, name, () => ("name" in geometry && geometry.name === name ? /** @type {NamedShape} */ (geometry) : { ...geometry, name }));
 
 /**
  * Why a document cannot take more shapes, or null.
@@ -180,19 +205,25 @@ export function addShape(document, shape) {
 }
 
 /**
- * Adds a shape as the outline of a new body of the first material, which lies over the others.
+ * Makes a shape of the document the outline of a new body of the first material, which lies over the others.
  * @param {WholePart} document
- * @param {NamedShape} shape
+ * @param {string} name
  * @param {string} body its name
  * @returns {WholePart}
  */
-export function addBody(document, shape, body) {
+export function makeBody(document, name, body) {
   const { bodies, materials = [] } = document;
-  if (bodies.length >= MOST_BODIES || bodies.some(({ name }) => name === body)) return document;
-  const after = addShape(document, shape);
-  if (after === document) return document;
+  const shape = shapeOf(document, name);
+  if (!shape || !isClosed(shape) || bodies.length >= MOST_BODIES || bodies.some((each) => each.name === body)) return document;
   const pure = Array.from({ length: Math.max(1, materials.length) }, (_, i) => (i === 0 ? 1 : 0));
-  return { ...after, bodies: [...bodies, { name: body, outline: shape.name, holes: [], default: pure, rule: "repaired", features: [] }] };
+  return { ...document, bodies: [...bodies, { name: body, outline: name, holes: [], default: pure, rule: "repaired", features: [] }] };
+}
+
+/** Adds a shape as the outline of a new body; both or nothing. @param {WholePart} document @param {NamedShape} shape @param {string} body its name */
+export function addBody(document, shape, body) {
+  const added = addShape(document, shape);
+  const made = added === document ? document : makeBody(added, shape.name, body);
+  return made === added ? document : made;
 }
 
 /** Cuts a shape of the document out of a body. @param {WholePart} document @param {number} body @param {string} name @returns {WholePart} */
@@ -210,11 +241,30 @@ export function fillHole(document, body, name) {
   return { ...document, bodies: document.bodies.with(body, { ...spec, holes: spec.holes.filter((hole) => hole !== name) }) };
 }
 
-/** @param {WholePart} document @param {string} name @param {string} as name of the copy @param {Point} by where it lies beside it */
+/**
+ * A name for the copy of something: the next free number in place of its own, or after its name.
+ * @param {readonly string[]} taken
+ * @param {string} name
+ */
+export function copyName(taken, name) {
+  const numbered = /^(.*\S) (\d{1,6})$/.exec(name);
+  return numbered ? freshName(taken, numbered[1], Number(numbered[2]) + 1) : freshName(taken, name);
+}
+
+/**
+ * A copy of a shape, beside it. That of a hole is one as well.
+ * @param {WholePart} document
+ * @param {string} name
+ * @param {string} as name of the copy
+ * @param {Point} by where it lies beside it
+ */
 export function duplicateShape(document, name, as, by) {
   const shape = shapeOf(document, name);
   if (!shape || shapeOf(document, as)) return document;
-  return moveShape(addShape(document, { ...shape, name: as }), as, by);
+  const added = addShape(document, { ...shape, name: as });
+  if (added === document) return document;
+  const holes = usesOf(document, name).filter((use) => use.as === "hole");
+  return holes.reduce((now, { body }) => makeHole(now, body, as), moveShape(added, as, by));
 }
 
 /** The references of a feature. @param {{reference?: PartReference, references?: {[name: string]: PartReference}}} feature */

@@ -106,16 +106,22 @@ function isSound(shape) {
   return counts.includes(knots.length) && knots.every((knot, i) => i === 0 || knot >= knots[i - 1]) && knots[knots.length - 1] > knots[0];
 }
 
+/** Least chords of a whole curve and of one knot span: a curve of few points fills the window with each span. */
+const CHORDS = { curve: 600, span: 12 };
+/** Chains that were asked for: a shape is never changed in place. @type {WeakMap<PartShape, readonly Point[]>} */
+const chains = new WeakMap();
+
 /**
  * The chain of points that is drawn for a shape with ends or a closed one; of a curve that cannot be made its control polygon. A circle and a line are drawn
  * otherwise.
  * @param {PartShape} shape
- * @param {number} [chords] of one knot span of a curve
  * @returns {readonly Point[]}
  */
-export function chainOf(shape, chords) {
-  if (shape.kind === "curve" && isSound(shape)) return outline(shape, chords).map(({ at }) => at);
-  return hasList(shape) ? shape.points : pointsOf(shape);
+export function chainOf(shape) {
+  if (shape.kind !== "curve" || !isSound(shape)) return hasList(shape) ? shape.points : pointsOf(shape);
+  const known = chains.get(shape) ?? outline(shape, Math.max(CHORDS.span, Math.ceil(CHORDS.curve / shape.points.length))).map(({ at }) => at);
+  chains.set(shape, known);
+  return known;
 }
 
 /**
@@ -140,16 +146,31 @@ export function nearestPiece(chain, closed, [x, y]) {
   return best;
 }
 
-/** The box round a shape, for steps and copies; that of a line is its point. @param {PartShape} shape @returns {[Point, Point]} */
+/** Boxes that were asked for. @type {WeakMap<PartShape, [Point, Point]>} */
+const boxes = new WeakMap();
+
+/** The box round a shape; that of a line is its point. @param {PartShape} shape @returns {[Point, Point]} */
 export function boxOf(shape) {
+  const known = boxes.get(shape) ?? measured(shape);
+  boxes.set(shape, known);
+  return known;
+}
+
+/** @param {PartShape} shape @returns {[Point, Point]} */
+function measured(shape) {
   if (shape.kind === "circle") {
     const [[x, y], r] = [shape.center, shape.radius];
     return [[x - r, y - r], [x + r, y + r]];
   }
-  const points = chainOf(shape);
-  const axis = (/** @type {0 | 1} */ k) => points.map((point) => point[k]);
-  const [xs, ys] = [axis(0), axis(1)];
-  return [[Math.min(...xs), Math.min(...ys)], [Math.max(...xs), Math.max(...ys)]];
+  const low = /** @type {Point} */ ([Infinity, Infinity]);
+  const high = /** @type {Point} */ ([-Infinity, -Infinity]);
+  for (const at of chainOf(shape)) {
+    for (const k of [0, 1]) {
+      low[k] = Math.min(low[k], at[k]);
+      high[k] = Math.max(high[k], at[k]);
+    }
+  }
+  return [low, high];
 }
 
 /** The middle of a shape, by which it is said to move. @param {PartShape} shape @returns {Point} */
