@@ -13,8 +13,8 @@
  */
 
 /** CSS pixels round the plot. */
-const ROOM = { left: 26, right: 10, top: 26, bottom: 20 };
-export const HEIGHT = 168;
+const ROOM = { left: 32, right: 10, top: 34, bottom: 20 };
+export const HEIGHT = 176;
 
 /** The least number of 1, 2, 3 or 5 times a power of ten that is no less. @param {number} value */
 export function nice(value) {

@@ -228,7 +228,7 @@ export function createPlot(moves) {
         group.append(node);
       }
       node.style.left = `${scales.x(handle.distance)}px`;
-      node.style.top = `${handle.isLimit ? scales.frame.top - 9 : scales.y(handle.fraction)}px`;
+      node.style.top = `${handle.isLimit ? scales.frame.top - 18 : scales.y(handle.fraction)}px`;
       node.classList.toggle("chosen", handle.id === chosen);
       const at = `${fixed(handle.distance, decimalsOf(scales.step))}\u00a0${unit}`.trim();
       const share = words.plot.share(materials[material].name, percent(handle.fraction));
@@ -297,7 +297,7 @@ export function createPlot(moves) {
       svg("path", { d: `M${frame.left} ${y(0)}V${y(1)}` }),
       ...ticks.map((d) => svg("path", { d: `M${x(d)} ${y(0)}v3` })),
     );
-    limits.replaceChildren(...[...(from > 0 ? [from] : []), to].map((d) => svg("path", { d: `M${x(d)} ${frame.top - 5}V${frame.bottom}` })));
+    limits.replaceChildren(...[...(from > 0 ? [from] : []), to].map((d) => svg("path", { d: `M${x(d)} ${frame.top - 14}V${frame.bottom}` })));
     const label = (/** @type {string} */ text, /** @type {string} */ kind, /** @type {number} */ left, /** @type {number} */ top) => {
       const node = h("span", { class: `plot-${kind}` }, text);
       node.style.left = `${left}px`;
@@ -307,8 +307,8 @@ export function createPlot(moves) {
     labels.replaceChildren(
       ...[0, 0.5, 1].map((fraction) => label(String(fraction), "share", frame.left, y(fraction))),
       ...ticks.map((d) => label(fixed(d, decimalsOf(tick)), "tick", x(d), frame.bottom)),
-      label(words.plot.short.to, x(to) > frame.right - 40 ? "name before" : "name", x(to), frame.top - 9),
-      ...(from > 0 && x(to) - x(from) > 60 ? [label(words.plot.short.from, "name", x(from), frame.top - 9)] : []),
+      label(words.plot.short.to, x(to) > frame.right - 40 ? "name before" : "name", x(to), frame.top - 18),
+      ...(from > 0 && x(to) - x(from) > 60 ? [label(words.plot.short.from, "name", x(from), frame.top - 18)] : []),
     );
   }
 
