@@ -52,7 +52,7 @@ async function paintsAsKernel(page, places) {
   await eventually(async () => {
     const document = await documentOf(page);
     for (const at of places) {
-      const [found, wanted] = [await colorAt(page, ".part-picture", await onScreen(page, at)), kernelColor(document, at)];
+      const [found, wanted] = [await colorAt(page, ".part-stage > .part-picture", await onScreen(page, at)), kernelColor(document, at)];
       assert.ok(wanted.every((value, k) => Math.abs(value - found[k]) <= 4), `${found}, not ${wanted} at ${at}`);
     }
   });
@@ -65,7 +65,7 @@ onOnePage(
       await paintsAsKernel(page, [[10, 50], [60, 12], [80, 50], [15, 25], [29, 31]]);
       assert.equal(await page.locator("[data-bench=part]").getAttribute("aria-current"), "page");
       await eventually(async () => assert.match((await status(page)).replaceAll("\u2009", ""), /Broken: red changes slowly[\s\S]*area\s+6000\smm²/));
-      await eventually(async () => assert.match((await page.locator(".part-picture").getAttribute("aria-label")) ?? "", /^Rectangle of two profiles\. 1 body, area 6000/));
+      await eventually(async () => assert.match((await page.locator(".part-stage > .part-picture").getAttribute("aria-label")) ?? "", /^Rectangle of two profiles\. 1 body, area 6000/));
       // A gradient of the fraction red on the whole left edge gives its area within a pixel of the closed form.
       await eventually(async () => assert.match((await page.locator("[data-part-amount='2']").innerText()).replace(/\s+/g, " "), /yellow 39\d\d mm² 6\d %/));
       assert.deepEqual(await audit(page), []);
@@ -112,10 +112,10 @@ onOnePage(
       await openGroup(page, "leaves");
       await eventually(async () => assert.deepEqual((await page.locator("[data-leaf] .part-name").allInnerTexts()).sort(), ["A", "A ∩ B", "B", "no feature"]));
       await eventually(async () => assert.match((await page.locator("[data-leaf='0.3']").innerText()).replaceAll("\u2009", ""), /900\smm²/));
-      const at = await onScreen(page, [80, 50]);
-      await eventually(async () => assert.deepEqual(await colorAt(page, ".part-picture", at), [205, 208, 214, 255]));
+      const at = await onScreen(page, [83, 47]);
+      await eventually(async () => assert.deepEqual(await colorAt(page, ".part-stage > .part-picture", at), [205, 208, 214, 255]));
       await page.locator("[data-leaf='0.3']").click();
-      await eventually(async () => assert.ok((await colorAt(page, ".part-picture", at))[3] < 128));
+      await eventually(async () => assert.ok((await colorAt(page, ".part-stage > .part-picture", at))[3] < 128));
       await page.locator("[data-leaf='0.3']").click();
       await pick(page, "part-look", "colors");
       await paintsAsKernel(page, [[80, 50]]);
@@ -146,11 +146,11 @@ onOnePage(
       await measured(page);
       await openGroup(page, "display");
       const at = await onScreen(page, [95, 1]);
-      const plain = await colorAt(page, ".part-picture", at);
+      const plain = await colorAt(page, ".part-stage > .part-picture", at);
       await page.locator("[data-box=part-difference]").check({ force: true });
-      await eventually(async () => assert.notDeepEqual(await colorAt(page, ".part-picture", at), plain));
+      await eventually(async () => assert.notDeepEqual(await colorAt(page, ".part-stage > .part-picture", at), plain));
       await page.locator("[data-box=part-difference]").uncheck({ force: true });
-      await eventually(async () => assert.deepEqual(await colorAt(page, ".part-picture", at), plain));
+      await eventually(async () => assert.deepEqual(await colorAt(page, ".part-stage > .part-picture", at), plain));
       await page.locator("[data-action=undo]").click();
       await eventually(async () => assert.equal((await documentOf(page)).bodies[0].rule, "repaired"));
       await paintsAsKernel(page, [[95, 1]]);
@@ -182,7 +182,7 @@ onOnePage(
       await measured(page);
       await eventually(async () => assert.deepEqual((await uiOf(page)).view, seen));
       await paintsAsKernel(page, [[50, 20]]);
-      await page.locator(".part-picture").click({ position: { x: 40, y: 120 }, trial: true });
+      await page.locator(".part-stage > .part-picture").click({ position: { x: 40, y: 120 }, trial: true });
       await page.keyboard.press("f");
       await eventually(async () => assert.ok(Math.abs((await uiOf(page)).view.scale - view.scale) < 1e-9));
     },
