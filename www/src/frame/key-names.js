@@ -12,6 +12,6 @@ const SIGNS = /** @type {const} */ ([
  * @param {string} keys such as `Ctrl+Shift+S`
  */
 export function keyName(keys) {
-  if (!apple) return keys;
-  return SIGNS.reduce((text, [name, sign]) => text.replace(name, sign), keys);
+  const short = keys.replace("ArrowUp", "↑").replace("ArrowDown", "↓");
+  return apple ? SIGNS.reduce((text, [name, sign]) => text.replace(name, sign), short) : short;
 }
