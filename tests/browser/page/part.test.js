@@ -6,7 +6,7 @@ import { load } from "directrix";
 import { audit } from "../support/axe.js";
 import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
-import { documentOf, drag, eventually, field, pick, spoken, status, uiOf } from "./workbench.js";
+import { documentOf, drag, eventually, field, middle, pick, spoken, status, uiOf } from "./workbench.js";
 
 /** @import { Page } from "playwright-core" */
 
@@ -121,6 +121,29 @@ onOnePage(
       await paintsAsKernel(page, [[80, 50]]);
     },
 
+    async "follows a drag with few pixels, and has all of them once it rests"(page) {
+      await measured(page);
+      const pixels = async () => Number((await page.locator("[data-total=pixels] .strong").innerText()).replaceAll("\u2009", ""));
+      const all = await pixels();
+      await page.locator('[data-part-shape="edge A"]').focus();
+      const end = page.locator('[data-part-point="edge A.1"]');
+      await end.waitFor();
+      const from = await middle(end);
+      await drag(page, from, [80, 0], { release: false });
+      await eventually(async () => assert.ok((await shapeOf(page, "edge A")).to[0] > 1 || (await shapeOf(page, "edge A")).from[0] > 1));
+      await page.locator(".part-stage[data-part=shown]").waitFor();
+      await eventually(async () => assert.ok((await pixels()) < all / 2));
+      await eventually(async () => {
+        const [found, wanted] = [await colorAt(page, ".part-stage > .part-picture", await onScreen(page, [12, 40])), kernelColor(await documentOf(page), [12, 40])];
+        assert.ok(wanted.every((value, k) => Math.abs(value - found[k]) <= 16), `${found}, not ${wanted}`);
+      });
+      await page.mouse.up();
+      await paintsAsKernel(page, [[12, 40], [20, 12]]);
+      await eventually(async () => assert.equal(await pixels(), all));
+      await page.locator("[data-action=undo]").click();
+      await eventually(async () => assert.deepEqual((await shapeOf(page, "edge A")).to, [0, 60]));
+    },
+
     async "shows three rules side by side, of which one is adopted and taken back"(page) {
       await measured(page);
       await pick(page, "part-look", "compare");
@@ -224,6 +247,11 @@ onOnePage(
   },
   { hash: "#v=1&preset=part-rectangle", viewport: { width: 1280, height: 800 } },
 );
+
+/** A shape of the open document. @param {Page} page @param {string} name */
+async function shapeOf(page, name) {
+  return (await documentOf(page)).shapes.find((/** @type {{name: string}} */ each) => each.name === name);
+}
 
 /** Opens a group of the inspector where it is closed. @param {Page} page @param {string} name */
 async function openGroup(page, name) {
