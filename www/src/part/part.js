@@ -183,7 +183,8 @@ function openWorkbench(app) {
       reason = null;
       if (isOther) probe.again();
       document.documentElement.dataset.ready = "true";
-      request();
+      // Without waiting for another frame: it is the picture of a drag.
+      render();
     },
     refused({ message }) {
       reason = message;
@@ -271,7 +272,7 @@ function openWorkbench(app) {
     const { view, size } = bench.now();
     if (!view || size.width < 1 || size.height < 1) return;
     const ratio = window.devicePixelRatio || 1;
-    const wanted = { document: partOf(app), view, size, ratio, shown };
+    const wanted = { of: store.origin.name, document: partOf(app), view, size, ratio, shown };
     const key = JSON.stringify([view, size, ratio, shown.isolines, shown.violations, shown.difference]);
     if (key === asked && wanted.document === askedFor) return;
     if (wanted.document !== askedFor) reason = null;

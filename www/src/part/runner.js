@@ -10,6 +10,7 @@
  * @import { Known, Measured, Shown } from "./state.js"
  *
  * @typedef {object} Wanted
+ * @property {string} of the opening of the document
  * @property {WholePart} document
  * @property {View} view
  * @property {Size} size
@@ -69,8 +70,9 @@ export function createRunner(app, { changed, refused, interrupted }) {
       if (document === newest?.document) tell(known);
       return { ...known, measured: await measure(part, document, control) };
     },
-    done(known, { isFine }) {
-      if (known.document !== newest?.document) return;
+    done(known, { isFine, of }) {
+      // A picture that an edit has overtaken is shown all the same, because in a drag all of them are; one of another opening is not.
+      if (of !== newest?.of) return;
       tell(known);
       if (!isFine && !lane.waits) rest();
     },

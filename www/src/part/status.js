@@ -22,20 +22,21 @@ export function renderStatus(bench, element, { reason, cancel, retry }) {
   const { document, known, isCurrent } = bench.now();
   const { unit = "mm" } = document;
   const measured = known?.measured ?? null;
+  // What an edit has overtaken has measures, and no verdict.
   const faults = known && isCurrent ? faultsOf(known) : null;
   const count = faults ? faults.skipped.length + faults.broken.length + (faults.isMixed ? 0 : 1) : 0;
   const verdict = reason !== null ? "error" : !faults ? "none" : count > 0 ? "problems" : "verified";
   const left =
     reason !== null
       ? [h("span", { class: "failed reason", "data-reason": "" }, reason)]
-      : known && faults
+      : known
         ? [
-            ...(count > 0 ? problems(faults) : measured ? [h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), h("span", { class: "strong" }, words.status.verified))] : []),
+            ...(faults && count > 0 ? problems(faults) : faults && measured ? [h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), h("span", { class: "strong" }, words.status.verified))] : []),
             item("pixels", strong(fixed(known.raster.size[0] * known.raster.size[1], 0)), label(words.status.pixels)),
             measured && item("area", label(words.status.area), strong(measure(measured.area, unit, 2))),
             measured && item("sum", label(words.status.sum), strong(isOne(measured.sumError) ? "1" : `1 ± ${significantText(measured.sumError)}`)),
             measured && item("clamped", label(words.status.clamped), strong(fixed(measured.clamped, 0))),
-            measured && item("violations", label(words.status.violations), strong(fixed(faults.broken.length, 0))),
+            measured && faults && item("violations", label(words.status.violations), strong(fixed(faults.broken.length, 0))),
             item("ms", strong(milliseconds(known.ms)), label(words.status.ms)),
           ].filter((node) => node !== null)
         : [label(words.loading)];
