@@ -12,6 +12,21 @@ import { documentOf, drag, eventually, field, middle, pick, spoken, status, uiOf
 
 const dx = await load();
 
+/** An outline that crosses itself, limits in the wrong order, and a name that no shape has. */
+const BROKEN = {
+  directrix: 1,
+  kind: "part",
+  title: "Broken",
+  shapes: [
+    { name: "bow", kind: "polygon", points: [[0, 0], [100, 60], [100, 0], [0, 60]] },
+    { name: "plate", kind: "polygon", points: [[120, 0], [180, 0], [180, 60], [120, 60]] },
+  ],
+  bodies: [
+    { name: "first", outline: "bow" },
+    { name: "second", outline: "plate", features: [{ name: "F", reference: "plate", from: 20, to: 10, start: [0, 1] }, { name: "G", reference: "nowhere", to: 10, start: [0, 1] }] },
+  ],
+};
+
 /** Waits until the part as it stands is painted with all its pixels and measured. @param {Page} page */
 const measured = (page) => page.locator(".part-stage[data-part=measured]").waitFor();
 
@@ -270,6 +285,23 @@ test("every preset opens from the gallery; what is wrong is named; a new part is
   }
   await paintsAsKernel(page, [[10, 50], [60, 12]]);
   assert.deepEqual(await audit(page), []);
+
+  const dropped = await page.evaluateHandle((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], "broken.json", { type: "application/json" }));
+    return data;
+  }, JSON.stringify(BROKEN));
+  await page.dispatchEvent("#stage", "drop", { dataTransfer: dropped });
+  await eventually(async () => assert.match(await status(page), /^3 problems/));
+  // The area of the body that could be made.
+  await eventually(async () => assert.match(await status(page), /area\s+3600\smm²/));
+  await page.locator("[data-problem=skipped]").click();
+  await page.locator("[data-part-witness]").waitFor();
+  await eventually(async () => assert.equal((await uiOf(page)).part.shown.shape, "bow"));
+  await openGroup(page, "checks");
+  await page.locator("[data-diagnostic=limits]").click();
+  await eventually(async () => assert.deepEqual([(await uiOf(page)).part.shown.body, (await uiOf(page)).part.shown.feature], [1, 0]));
+
   await page.locator("[data-action=file]").click();
   await page.locator("[data-item=new]").click();
   await page.locator("[data-part-empty]").waitFor();

@@ -290,7 +290,7 @@ export function createPlot(moves) {
     // What it would be without being led to the default.
     const offends = profile.meets.some((isMet) => !isMet) && !isPrinted;
     const within = places.filter((d) => d >= from && d <= to);
-    plain.setAttribute("d", offends ? `M${within.map((d) => point(d, inside(d)[material])).join("L")}` : "");
+    plain.setAttribute("d", offends && within.length > 1 ? `M${within.map((d) => point(d, inside(d)[material])).join("L")}` : "");
     const ticks = Array.from({ length: Math.round(most / tick) + 1 }, (_, n) => rounded(n * tick, tick));
     grid.replaceChildren(
       ...[1, 0.5].map((fraction) => svg("path", { d: `M${frame.left} ${y(fraction)}H${frame.right}`, class: "plot-dashed" })),
