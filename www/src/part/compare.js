@@ -126,6 +126,7 @@ export function createCompare(bench) {
   /** @param {Rule} rule @param {number} nth */
   function createRule(rule, nth) {
     const { canvas, draw } = createCanvas();
+    attribute(canvas, "aria-label", words.compare.rules[rule]);
     const ring = h("span", { class: "part-rule-ring", hidden: true });
     const picture = h("div", { class: "part-rule-picture" }, canvas, ring);
     const title = h("span", { class: "part-rule-title" }, words.compare.rules[rule]);

@@ -315,7 +315,7 @@ export function createTree(bench) {
       /** @param {Row} row @param {{isChosen: boolean, isTabStop: boolean, isNaming: boolean, spoken: string}} state */
       render(row, { isChosen, isTabStop, isNaming, spoken }) {
         write(name, row.name);
-        write(aside, row.aside);
+        attribute(aside, "data-text", row.aside);
         attribute(element, "aria-label", spoken);
         attribute(element, "aria-selected", row.kind === "shapes" ? null : String(isChosen));
         attribute(element, "aria-expanded", row.isOpen === null ? null : String(row.isOpen));
