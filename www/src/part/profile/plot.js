@@ -123,7 +123,8 @@ export function createPlot(moves) {
     whileHeld({
       move(event) {
         if (event.pointerId !== down.pointerId) return;
-        const { x, y } = placeOf(event);
+        // By how far the pointer went: rows that come and go may move the plot meanwhile.
+        const [x, y] = [start.x + event.clientX - down.clientX, start.y + event.clientY - down.clientY];
         if (!isMoving && Math.hypot(x - start.x, y - start.y) < 2) return;
         isMoving = true;
         moveTo(which, x + off.x, y + off.y, own);

@@ -8,7 +8,7 @@ export const words = {
   reference: {
     label: "Distance to",
     boundary: (/** @type {string} */ body) => `Boundary of ${body}`,
-    several: "Several, by an expression",
+    several: "Several shapes",
     missing: (/** @type {string} */ name) => `${name} (missing)`,
     except: "Without",
     exceptLabel: "Shapes that are left out of the boundary",
