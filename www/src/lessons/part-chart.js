@@ -54,7 +54,9 @@ export function stackChart({ fractions, body }, materials, { length, limit, here
     if (inside.length === 0) return [];
     const over = inside.map((n) => at(n / (count - 1), Math.min(1, sums[k](n))));
     const under = [...inside].reverse().map((n) => at(n / (count - 1), k === 0 ? 0 : Math.min(1, sums[k - 1](n))));
-    return [svg("path", { class: "chart-area", fill: color, d: `M${[...over, ...under].join("L")}Z` })];
+    const area = svg("path", { class: "chart-area", d: `M${[...over, ...under].join("L")}Z` });
+    area.style.setProperty("--own", color);
+    return [area];
   });
   const line = (/** @type {string} */ kind, /** @type {number} */ place) =>
     place >= 0 && place <= length ? [svg("path", { class: kind, d: `M${at(place / length, 1)}L${at(place / length, 0)}` })] : [];

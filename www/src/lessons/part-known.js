@@ -1,7 +1,7 @@
 /**
  * Parts of lessons: the document of a figure with what the reader has changed, and what is asked about it. Pure but for the questions.
  *
- * @import { Control, PartDocument, PartPlace, Point, RemotePart } from "../../../js/directrix.js"
+ * @import { Control, PartDocument, PartPlace, PartRaster, Point, RemotePart } from "../../../js/directrix.js"
  * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  *
  * @typedef {"repaired" | "depth" | "printed"} Rule
@@ -53,7 +53,7 @@ export function materialOf(document, which) {
 export const placesOf = ([x, y, u, v]) => Array.from({ length: PLACES }, (_, n) => [x + ((u - x) * n) / (PLACES - 1), y + ((v - y) * n) / (PLACES - 1)]);
 
 /** Pixels of a part by the printed rule. @param {readonly (readonly number[])[]} box @returns {[number, number]} */
-function voxels([[left, low], [right, high]]) {
+export function voxels([[left, low], [right, high]]) {
   const edge = Math.max(right - left, high - low) / VOXELS;
   return [Math.max(1, Math.round((right - left) / edge)), Math.max(1, Math.round((high - low) / edge))];
 }
@@ -78,15 +78,24 @@ export async function ruleRow(open, document, rule, material, place, line, contr
     return { rule, here: (await part.probe(place, ...more))?.fractions?.[material] ?? NaN, along: [...fractions[material]] };
   }
   const size = voxels(part.box);
-  const { fractions, body, box } = await part.evaluate({ size }, ...more);
-  const at = ([x, y] = place) => {
+  const at = sampled(await part.evaluate({ size }, ...more), material);
+  return { rule, here: at(place), along: placesOf(line).map(at) };
+}
+
+/**
+ * The fraction of a material in the pixel that holds a place; no number outside.
+ *
+ * @param {PartRaster} raster
+ * @param {number} material
+ */
+export const sampled =
+  ({ size, box, body, fractions }, material) =>
+  (/** @type {Point} */ [x, y]) => {
     const column = Math.min(size[0] - 1, Math.max(0, Math.floor(((x - box[0][0]) / (box[1][0] - box[0][0])) * size[0])));
     const row = Math.min(size[1] - 1, Math.max(0, Math.floor(((box[1][1] - y) / (box[1][1] - box[0][1])) * size[1])));
     const index = row * size[0] + column;
     return body[index] > 0 ? fractions[material][index] : NaN;
   };
-  return { rule, here: at(place), along: placesOf(line).map(at) };
-}
 
 /** The distances of a place to the features that take part, by number. @param {PartPlace | null} place @param {number} feature */
 export const distanceOf = (place, feature) => place?.distances.find((each) => each.feature === feature)?.distance ?? NaN;
