@@ -33,7 +33,7 @@ import { COURSES, distanceOf, featureOf, materialOf, RULES, ruleRow, withFeature
 import { words } from "./words-part.js";
 
 /** Room round the part, CSS pixels. */
-const MARGIN = 28;
+const MARGIN = 38;
 /** Pixels that are evaluated, at rest and while something is dragged. */
 const MOST = 900_000;
 const MOVING = 90_000;
