@@ -258,7 +258,7 @@ function run(app) {
     schedule();
   });
 
-  const refit = () => void (isCurves(store.document) ? fit(app) : Promise.resolve()).catch((error) => ui.set({ note: { tone: "error", text: problem(error).message } }));
+  const refit = () => void fit(app).catch((error) => ui.set({ note: { tone: "error", text: problem(error).message } }));
   new ResizeObserver(([entry]) => {
     if (!entry) return;
     const { width, height } = entry.contentRect;

@@ -10,6 +10,7 @@
  * @typedef {object} Kind
  * @property {(kernel: Kernel, raw: any) => Promise<CurvesDocument>} completed the document with every default, in the place of the documents that
  *   the page passes around; rejects with a DirectrixError when it is none
+ * @property {object} [empty] what a new document has besides version and title; without it a new document is one of curves
  * @property {() => Promise<readonly KindPreset[]>} presets
  * @property {(app: App) => Promise<void>} showGallery
  * @property {(app: App) => Promise<void>} showExport
