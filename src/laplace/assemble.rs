@@ -63,7 +63,10 @@ impl Assembly {
         let off = if n <= most_dense.min(MOST_DENSE) {
             Off::Dense(Matrix::room(n)?)
         } else {
-            Off::Near(Near::new(Rc::clone(&panels), given.is_value.iter().map(|is_value| !is_value).collect()))
+            Off::Near(Near::new(
+                Rc::clone(&panels),
+                given.is_value.iter().map(|is_value| !is_value).collect(),
+            ))
         };
         let column = |data: &Vec<f64>, of_values: bool| -> Vec<f32> {
             let of = |panel: &u32| match data.get(*panel as usize) {
@@ -138,8 +141,10 @@ impl Assembly {
             whole += values.double.iter().map(|double| f64::from(*double)).sum::<f64>();
             for ((sum, given), fluxes) in sums.iter_mut().zip(&self.slots.values).zip(&self.slots.fluxes) {
                 let mut part = [0.0_f32; 8];
-                let columns = values.double.as_chunks::<8>().0.iter().zip(given[slots.clone()].as_chunks::<8>().0);
-                let others = values.single.as_chunks::<8>().0.iter().zip(fluxes[slots.clone()].as_chunks::<8>().0);
+                let columns =
+                    values.double.as_chunks::<8>().0.iter().zip(given[slots.clone()].as_chunks::<8>().0);
+                let others =
+                    values.single.as_chunks::<8>().0.iter().zip(fluxes[slots.clone()].as_chunks::<8>().0);
                 for ((double, value), (single, flux)) in columns.zip(others) {
                     for l in 0..8 {
                         part[l] += double[l] * value[l] + single[l] * flux[l];

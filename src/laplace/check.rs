@@ -47,20 +47,19 @@ pub fn enclosed(mesh: &Mesh) -> Result<Enclosed, LaplaceError> {
     };
     let outer: Vec<usize> = (0..count).filter(|part| measures[*part] > 0.0).collect();
     let Some(body) = outer.iter().copied().max_by(|a, b| measures[*a].total_cmp(&measures[*b])) else {
-        let message =
-            "the normals of the boundary point into the material; expected them to point out of it: turn its elements over";
+        let message = "the normals of the boundary point into the material; expected them to point out of it: turn its elements over";
         return fault(Fault::Inverted, 0, message.to_owned());
     };
     for part in (0..count).filter(|part| *part != body) {
         let place = panels[first(part)].centre;
         let is_inside = seen(place, body) > 0.5;
         if measures[part] > 0.0 && is_inside {
-            let message =
-                "the element belongs to a part inside the body whose normals point out of it; expected those of a cavity, into the cavity: turn its elements over";
+            let message = "the element belongs to a part inside the body whose normals point out of it; expected those of a cavity, into the cavity: turn its elements over";
             return fault(Fault::Inverted, part, message.to_owned());
         }
         if measures[part] > 0.0 {
-            let message = "the element belongs to a second body; expected one, and others to be solved by themselves";
+            let message =
+                "the element belongs to a second body; expected one, and others to be solved by themselves";
             return fault(Fault::Apart, part, message.to_owned());
         }
         let others = (0..count).filter(|other| ![part, body].contains(other));
@@ -135,10 +134,21 @@ fn joined_at_ends(mesh: &Mesh) -> Result<Vec<usize>, LaplaceError> {
     for ([a, b, _], number) in elements.iter().zip(0_u32..) {
         match starts.get(b) {
             Some(next) => union.join(number, *next),
-            None => return fault(number, *b, "the boundary is open where this element ends; expected another to start there".to_owned()),
+            None => {
+                return fault(
+                    number,
+                    *b,
+                    "the boundary is open where this element ends; expected another to start there"
+                        .to_owned(),
+                );
+            }
         }
         if !ends.contains_key(a) {
-            return fault(number, *a, "the boundary is open where this element starts; expected another to end there".to_owned());
+            return fault(
+                number,
+                *a,
+                "the boundary is open where this element starts; expected another to end there".to_owned(),
+            );
         }
     }
     Ok(union.numbered())
@@ -168,7 +178,8 @@ fn joined_at_edges(mesh: &Mesh) -> Result<Vec<usize>, LaplaceError> {
             match owners.get(&(b, a)) {
                 Some(other) => union.join(number, *other),
                 None => {
-                    let message = "the boundary is open at an edge of this element; expected another element along it";
+                    let message =
+                        "the boundary is open at an edge of this element; expected another element along it";
                     return fault(number, (a, b), message.to_owned());
                 }
             }
@@ -205,7 +216,10 @@ mod tests {
         assert!((cube.measure - 1.0).abs() < 1e-12 && cube.closure < 1e-10, "{cube:?}");
         let shell = enclosed(&samples::shell(0.5, 1.0, 3)).unwrap();
         assert_eq!(shell.parts, 2);
-        assert!((shell.measure / (4.0 / 3.0 * PI * 0.875) - 1.0).abs() < 0.01 && shell.closure < 1e-10, "{shell:?}");
+        assert!(
+            (shell.measure / (4.0 / 3.0 * PI * 0.875) - 1.0).abs() < 0.01 && shell.closure < 1e-10,
+            "{shell:?}"
+        );
         let annulus = enclosed(&samples::annulus(0.5, 1.0, 256)).unwrap();
         assert_eq!(annulus.parts, 2);
         assert!((annulus.measure / (PI * 0.75) - 1.0).abs() < 1e-3 && annulus.closure < 1e-12, "{annulus:?}");
@@ -237,16 +251,30 @@ mod tests {
         let mid = DVec3::splat(0.25);
         let n = elements.len();
         assert_eq!(fault(several(&[whole(DVec3::ZERO, 1.0, true)])).0, Fault::Inverted);
-        assert_eq!(fault(several(&[whole(DVec3::ZERO, 1.0, false), whole(far, 1.0, false)])), (Fault::Apart, n));
-        assert_eq!(fault(several(&[whole(DVec3::ZERO, 1.0, false), whole(far, 0.5, true)])), (Fault::Apart, n));
-        assert_eq!(fault(several(&[whole(DVec3::ZERO, 1.0, false), whole(mid, 0.5, false)])), (Fault::Inverted, n));
+        assert_eq!(
+            fault(several(&[whole(DVec3::ZERO, 1.0, false), whole(far, 1.0, false)])),
+            (Fault::Apart, n)
+        );
+        assert_eq!(
+            fault(several(&[whole(DVec3::ZERO, 1.0, false), whole(far, 0.5, true)])),
+            (Fault::Apart, n)
+        );
+        assert_eq!(
+            fault(several(&[whole(DVec3::ZERO, 1.0, false), whole(mid, 0.5, false)])),
+            (Fault::Inverted, n)
+        );
         let nested = several(&[
             whole(DVec3::ZERO, 1.0, false),
             whole(mid, 0.5, true),
             whole(DVec3::splat(0.4), 0.2, true),
         ]);
         assert_eq!(fault(nested).0, Fault::Apart);
-        assert_eq!(enclosed(&several(&[whole(DVec3::ZERO, 1.0, false), whole(mid, 0.5, true)]).unwrap()).unwrap().parts, 2);
+        assert_eq!(
+            enclosed(&several(&[whole(DVec3::ZERO, 1.0, false), whole(mid, 0.5, true)]).unwrap())
+                .unwrap()
+                .parts,
+            2
+        );
     }
 
     #[test]

@@ -48,6 +48,9 @@ pub(super) struct Charges {
     pub(super) double: Vec<f32>,
 }
 
+/// Sums that are worked on together.
+pub(super) type Sums = [f32; LANES];
+
 impl Values {
     /// The sum of the double layers.
     #[inline(always)]
@@ -90,7 +93,8 @@ impl Cloud {
 
     #[inline(always)]
     fn add_by<const SOLID: bool>(&self, slots: &Range<usize>, x: Vec3, values: &mut Values) {
-        let [xs, ys, zs, weights] = [&self.x, &self.y, &self.z, &self.weight].map(|column| lanes(column, slots));
+        let [xs, ys, zs, weights] =
+            [&self.x, &self.y, &self.z, &self.weight].map(|column| lanes(column, slots));
         let [ps, qs, rs] = self.dipoles.each_ref().map(|column| lanes(column, slots));
         let singles = values.single.as_chunks_mut::<LANES>().0;
         let doubles = values.double.as_chunks_mut::<LANES>().0;
@@ -112,27 +116,33 @@ impl Cloud {
         }
     }
 
-    /// The sum over the slots of a cluster of charges times layers at a point relative to its centre.
+    /// Adds charges times layers of the slots of a cluster at a point relative to its centre to sums, whose own sum counts.
     #[inline(always)]
-    pub(super) fn sum(&self, space: Space, slots: &Range<usize>, x: Vec3, charges: &Charges) -> f64 {
-        let sums = match (space, charges.double.is_empty()) {
+    pub(super) fn sum(
+        &self,
+        space: Space,
+        slots: &Range<usize>,
+        x: Vec3,
+        charges: &Charges,
+        sums: &mut Sums,
+    ) {
+        match (space, charges.double.is_empty()) {
             (Space::Plane, _) => {
                 let mut values = Values::default();
                 self.add(space, slots, x, &mut values);
                 let double = (!charges.double.is_empty()).then(|| &charges.double[slots.clone()]);
-                return sum_of(&values, &charges.single[slots.clone()], double);
+                sums[0] += sum_of(&values, &charges.single[slots.clone()], double) as f32;
             }
-            (Space::Solid, true) => self.sum_singles(slots, x, charges),
-            (Space::Solid, false) => self.sum_both(slots, x, charges),
-        };
-        sums.iter().map(|sum| f64::from(*sum)).sum()
+            (Space::Solid, true) => self.sum_singles(slots, x, charges, sums),
+            (Space::Solid, false) => self.sum_both(slots, x, charges, sums),
+        }
     }
 
     #[inline(always)]
-    fn sum_singles(&self, slots: &Range<usize>, x: Vec3, charges: &Charges) -> [f32; LANES] {
-        let [xs, ys, zs, weights] = [&self.x, &self.y, &self.z, &self.weight].map(|column| lanes(column, slots));
+    fn sum_singles(&self, slots: &Range<usize>, x: Vec3, charges: &Charges, sums: &mut Sums) {
+        let [xs, ys, zs, weights] =
+            [&self.x, &self.y, &self.z, &self.weight].map(|column| lanes(column, slots));
         let charges = lanes(&charges.single, slots);
-        let mut sums = [0.0; LANES];
         for k in 0..SLOTS / LANES {
             for l in 0..LANES {
                 let (dx, dy, dz) = (xs[k][l] - x.x, ys[k][l] - x.y, zs[k][l] - x.z);
@@ -140,15 +150,14 @@ impl Cloud {
                 sums[l] += weights[k][l] * charges[k][l] / square.sqrt();
             }
         }
-        sums
     }
 
     #[inline(always)]
-    fn sum_both(&self, slots: &Range<usize>, x: Vec3, charges: &Charges) -> [f32; LANES] {
-        let [xs, ys, zs, weights] = [&self.x, &self.y, &self.z, &self.weight].map(|column| lanes(column, slots));
+    fn sum_both(&self, slots: &Range<usize>, x: Vec3, charges: &Charges, sums: &mut Sums) {
+        let [xs, ys, zs, weights] =
+            [&self.x, &self.y, &self.z, &self.weight].map(|column| lanes(column, slots));
         let [ps, qs, rs] = self.dipoles.each_ref().map(|column| lanes(column, slots));
         let (singles, doubles) = (lanes(&charges.single, slots), lanes(&charges.double, slots));
-        let mut sums = [0.0; LANES];
         for k in 0..SLOTS / LANES {
             for l in 0..LANES {
                 let (dx, dy, dz) = (xs[k][l] - x.x, ys[k][l] - x.y, zs[k][l] - x.z);
@@ -158,7 +167,6 @@ impl Cloud {
                 sums[l] += near * (weights[k][l] * singles[k][l] + doubles[k][l] * across * near * near);
             }
         }
-        sums
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) const NOBODY: u32 = u32::MAX;
 /// by panel, so that it does not depend on the clusters how a panel is taken.
 const EXACT: f64 = 2.5;
 /// Diameters beyond which one place stands for a panel.
-const FAR: f64 = 15.0;
+const FAR: f64 = 8.0;
 
 /// Neighbouring panels.
 #[derive(Debug, Clone)]

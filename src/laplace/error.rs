@@ -31,6 +31,10 @@ pub enum Fault {
     Limit,
     /// The method cannot be used for this size, or an option of it is out of range.
     Method,
+    /// A point is not finite.
+    Points,
+    /// A section has no pixels, too many, or no plane.
+    Section,
     /// A point lies outside.
     Outside,
 }

@@ -104,7 +104,8 @@ impl LaplaceJob {
         let scaling = problem.scaling;
         let space = problem.mesh.space();
         let corners = |element| problem.mesh.corners(element).map(|corner| scaling.inwards(corner));
-        let panels = Rc::new(Panels::new(space, (0..n).map(|element| space.panel(corners(element))).collect()));
+        let panels =
+            Rc::new(Panels::new(space, (0..n).map(|element| space.panel(corners(element))).collect()));
         let assembly = Assembly::new(Rc::clone(&panels), problem.given(), options.most_dense)?;
         Ok(Self {
             problem,
@@ -167,7 +168,8 @@ impl LaplaceJob {
         let materials = self.problem.shifts.len() as f64;
         // Elimination takes longest where it is asked for.
         let eliminated = if self.needs_lu() { 0.9 } else { 0.3 };
-        let solved = |more: f64| eliminated + (1.0 - eliminated) * (self.solved.len() as f64 + more) / materials;
+        let solved =
+            |more: f64| eliminated + (1.0 - eliminated) * (self.solved.len() as f64 + more) / materials;
         let share = match &self.work {
             Work::Assembling(assembly) => 0.3 * assembly.progress(),
             Work::Eliminating(lu) => 0.3 + 0.6 * lu.progress(),
@@ -209,7 +211,11 @@ impl LaplaceJob {
             }
             Work::Estimating(mut estimate) => {
                 self.condition = self.lu.as_ref().and_then(|lu| estimate.step(lu));
-                Ok(if self.condition.is_none() && self.lu.is_some() { Work::Estimating(estimate) } else { Work::Between })
+                Ok(if self.condition.is_none() && self.lu.is_some() {
+                    Work::Estimating(estimate)
+                } else {
+                    Work::Between
+                })
             }
             Work::Solving(mut gmres) => {
                 let Some(equations) = &self.equations else { return Ok(Work::Done) };
@@ -247,7 +253,11 @@ impl LaplaceJob {
         image.iter_mut().zip(side).for_each(|(image, side)| *image = side - *image);
         let scale = norm(side);
         let residual = if scale > 0.0 { norm(&image) / scale } else { 0.0 };
-        self.convergences.push(Convergence { residuals: vec![residual], preconditioned: vec![residual], is_converged: true });
+        self.convergences.push(Convergence {
+            residuals: vec![residual],
+            preconditioned: vec![residual],
+            is_converged: true,
+        });
         self.solved.push(x);
         Work::Between
     }
@@ -259,7 +269,9 @@ impl LaplaceJob {
     fn iterate(&self) -> Work {
         let side = self.equations.as_ref().and_then(|equations| equations.sides.get(self.solved.len()));
         match (side, self.options.method) {
-            (Some(side), Method::Gmres(options)) => Work::Solving(Box::new(Gmres::new(options, side.clone()))),
+            (Some(side), Method::Gmres(options)) => {
+                Work::Solving(Box::new(Gmres::new(options, side.clone())))
+            }
             _ => Work::Done,
         }
     }

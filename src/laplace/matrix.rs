@@ -1,6 +1,6 @@
 //! The matrix of the equations, whole or recomputed in every product.
 
-use super::cloud::Charges;
+use super::cloud::{Charges, Sums};
 use super::cluster::{Panels, Reach, SLOTS};
 use super::error::{Fault, LaplaceError};
 use glam::DVec3;
@@ -12,6 +12,9 @@ pub const MOST_DENSE: usize = 8_000;
 
 /// Numbers that are added up together.
 const LANES: usize = 4;
+
+/// Clusters whose sums in single precision are added up before they go into one in double precision.
+const FLUSHED: usize = 16;
 
 /// A square matrix of which products with vectors can be asked for, row by row.
 #[derive(Debug)]
@@ -120,7 +123,9 @@ impl Matrix {
         match &self.off {
             Off::Dense(entries) => {
                 for row in rows {
-                    y[row] = product(&entries[row * n..(row + 1) * n], x) + self.diagonal[row] * x[row] + spread.mean;
+                    y[row] = product(&entries[row * n..(row + 1) * n], x)
+                        + self.diagonal[row] * x[row]
+                        + spread.mean;
                 }
             }
             Off::Near(near) => {
@@ -141,16 +146,20 @@ impl Near {
     fn product(&self, row: usize, charges: &Charges) -> f64 {
         let panels = &*self.panels;
         let x: DVec3 = panels.list[row].centre;
-        let mut far = 0.0;
-        let mut near = 0.0;
+        let (mut far, mut near) = (0.0, 0.0);
         let mut at = self.starts[row];
-        for cluster in &panels.clusters {
+        let mut sums = Sums::default();
+        for (number, cluster) in panels.clusters.iter().enumerate() {
+            if number % FLUSHED == 0 {
+                far += sums.iter().map(|sum| f64::from(*sum)).sum::<f64>();
+                sums = Sums::default();
+            }
             let own = (x - cluster.centre).as_vec3();
             match Panels::reach(cluster, x) {
-                Reach::Far => far += panels.centres.sum(panels.space, &cluster.slots, own, charges),
+                Reach::Far => panels.centres.sum(panels.space, &cluster.slots, own, charges, &mut sums),
                 Reach::Medium => {
                     for cloud in &panels.places {
-                        far += cloud.sum(panels.space, &cluster.slots, own, charges);
+                        cloud.sum(panels.space, &cluster.slots, own, charges, &mut sums);
                     }
                 }
                 Reach::Near => {
@@ -169,6 +178,7 @@ impl Near {
                 }
             }
         }
+        far += sums.iter().map(|sum| f64::from(*sum)).sum::<f64>();
         // Rows of panels whose value is unknown have the opposite sign, which the near entries have already.
         if self.is_value_unknown[row] { near - far } else { near + far }
     }

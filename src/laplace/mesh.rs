@@ -89,7 +89,8 @@ impl Mesh {
             for vertex in element {
                 let Some(first) = one.get(*vertex as usize) else {
                     let last = vertices.len().saturating_sub(1);
-                    let message = format!("vertex {vertex} was found; expected the index of one, 0 to {last}");
+                    let message =
+                        format!("vertex {vertex} was found; expected the index of one, 0 to {last}");
                     return Err(LaplaceError::new(Fault::Elements, message).of(number));
                 };
                 *vertex = *first;

@@ -7,6 +7,7 @@
 //!
 //! A problem in the plane is not the section of one in space, unless the body and its conditions go on and on across the plane.
 
+mod ask;
 mod assemble;
 mod check;
 mod cloud;
@@ -26,6 +27,7 @@ mod segment;
 mod solution;
 mod triangle;
 
+pub use ask::{Found, MOST_POINTS, PointsJob, Quantity};
 pub use check::{Enclosed, enclosed};
 pub use error::{Fault, LaplaceError};
 pub use gmres::{Convergence, GmresOptions};

@@ -47,6 +47,15 @@ pub struct LayerGradients {
 }
 
 impl Space {
+    /// 2 or 3.
+    #[must_use]
+    pub fn dimension(self) -> usize {
+        match self {
+            Self::Plane => 2,
+            Self::Solid => 3,
+        }
+    }
+
     /// The panel with these corners.
     #[must_use]
     pub fn panel(self, corners: [DVec3; 3]) -> Panel {
@@ -62,7 +71,13 @@ impl Space {
                 let cross = (b - a).cross(c - a);
                 let twice = cross.length();
                 let diameter = [b - a, c - b, a - c].iter().map(|side| side.length()).fold(0.0, f64::max);
-                Panel { corners, centre: (a + b + c) / 3.0, normal: cross / twice, size: twice / 2.0, diameter }
+                Panel {
+                    corners,
+                    centre: (a + b + c) / 3.0,
+                    normal: cross / twice,
+                    size: twice / 2.0,
+                    diameter,
+                }
             }
         }
     }

@@ -48,7 +48,12 @@ impl Sweep {
     }
 
     /// Turns r into z while `may_go_on` says so; returns whether it is done.
-    pub(super) fn step(&mut self, matrix: &Matrix, z: &mut [f64], may_go_on: &mut dyn FnMut() -> bool) -> bool {
+    pub(super) fn step(
+        &mut self,
+        matrix: &Matrix,
+        z: &mut [f64],
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> bool {
         let n = z.len();
         let omega = match self.kind {
             Preconditioner::None => return true,
@@ -67,7 +72,11 @@ impl Sweep {
                 let Some(entries) = matrix.row(row) else { return true };
                 let columns = if is_back { row + 1..n } else { 0..row };
                 let sum = omega * product(&entries[columns.clone()], &z[columns]);
-                z[row] = if is_back { z[row] - sum / matrix.diagonal[row] } else { (z[row] - sum) / matrix.diagonal[row] };
+                z[row] = if is_back {
+                    z[row] - sum / matrix.diagonal[row]
+                } else {
+                    (z[row] - sum) / matrix.diagonal[row]
+                };
             }
             self.done = end;
             if !may_go_on() {

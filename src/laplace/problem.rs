@@ -42,7 +42,8 @@ impl Conditions {
     /// A value (`Ok`) or a flux (`Err`) of one material for each element.
     #[must_use]
     pub fn single(data: impl IntoIterator<Item = Result<f64, f64>>) -> Self {
-        let (is_value, data) = data.into_iter().map(|datum| (datum.is_ok(), datum.unwrap_or_else(|flux| flux))).unzip();
+        let (is_value, data) =
+            data.into_iter().map(|datum| (datum.is_ok(), datum.unwrap_or_else(|flux| flux))).unzip();
         Self { is_value, data: vec![data], are_fractions: false }
     }
 
@@ -56,12 +57,15 @@ impl Conditions {
         let conditions = |message: String| LaplaceError::new(Fault::Conditions, message);
         if !(1..=MOST_MATERIALS).contains(&self.data.len()) || (self.are_fractions && self.data.len() < 2) {
             let least = if self.are_fractions { 2 } else { 1 };
-            let message = format!("{} materials were found; expected {least} to {MOST_MATERIALS}", self.data.len());
+            let message =
+                format!("{} materials were found; expected {least} to {MOST_MATERIALS}", self.data.len());
             return Err(conditions(message));
         }
         let counts = self.data.iter().map(Vec::len).chain([self.is_value.len()]);
         if let Some(count) = counts.into_iter().find(|count| *count != elements) {
-            return Err(conditions(format!("{count} conditions were found; expected one for each of {elements} elements")));
+            return Err(conditions(format!(
+                "{count} conditions were found; expected one for each of {elements} elements"
+            )));
         }
         for element in 0..elements {
             let data = self.data.iter().map(|data| data[element]);
@@ -164,7 +168,8 @@ impl Problem {
 /// The middle of the values that are given for a material.
 fn middle(conditions: &Conditions, material: usize) -> f64 {
     let given = conditions.data[material].iter().zip(&conditions.is_value).filter(|(_, is_value)| **is_value);
-    let (low, high) =
-        given.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (value, _)| (low.min(*value), high.max(*value)));
+    let (low, high) = given.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (value, _)| {
+        (low.min(*value), high.max(*value))
+    });
     if low <= high { low / 2.0 + high / 2.0 } else { 0.0 }
 }

@@ -44,7 +44,8 @@ impl Quads {
     fn cuboid(&mut self, divisions: [&[f64]; 3], is_cavity: bool) {
         for axis in 0..3 {
             let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-            let [first, last] = [divisions[axis].first(), divisions[axis].last()].map(|end| *end.unwrap_or(&0.0));
+            let [first, last] =
+                [divisions[axis].first(), divisions[axis].last()].map(|end| *end.unwrap_or(&0.0));
             for is_end in [false, true] {
                 let place = |along: f64, across: f64| {
                     let mut point = [0.0; 3];
@@ -147,13 +148,20 @@ fn icosphere(quads: &mut Quads, radius: f64, level: usize, is_cavity: bool) {
         // Weights in whole numbers, so that points on a common side are equal bit by bit whichever triangle asks.
         let point = |i: usize, j: usize| {
             let mut parts = [(a, steps - i - j), (b, i), (c, j)];
-            parts.sort_by(|p, q| p.0.to_array().partial_cmp(&q.0.to_array()).unwrap_or(std::cmp::Ordering::Equal));
-            parts.iter().fold(DVec3::ZERO, |sum, (corner, weight)| sum + *corner * *weight as f64).normalize() * radius
+            parts.sort_by(|p, q| {
+                p.0.to_array().partial_cmp(&q.0.to_array()).unwrap_or(std::cmp::Ordering::Equal)
+            });
+            parts.iter().fold(DVec3::ZERO, |sum, (corner, weight)| sum + *corner * *weight as f64).normalize()
+                * radius
         };
         let mut push = |points: [DVec3; 3]| {
             let start = quads.vertices.len() as u32;
             quads.vertices.extend(points);
-            quads.triangles.push(if is_cavity { [start, start + 2, start + 1] } else { [start, start + 1, start + 2] });
+            quads.triangles.push(if is_cavity {
+                [start, start + 2, start + 1]
+            } else {
+                [start, start + 1, start + 2]
+            });
         };
         for i in 0..steps {
             for j in 0..steps - i {
@@ -173,7 +181,8 @@ pub fn mug(sectors: usize, sliver: f64) -> Mesh {
     let sectors = sectors.max(6);
     let rows = (sectors / 3).max(3);
     let (wall, floor) = (0.2, 0.25);
-    let mut profile: Vec<DVec2> = even(0.0, 1.0, (rows / 2).max(2)).iter().map(|r| DVec2::new(*r, 0.0)).collect();
+    let mut profile: Vec<DVec2> =
+        even(0.0, 1.0, (rows / 2).max(2)).iter().map(|r| DVec2::new(*r, 0.0)).collect();
     let strip = |heights: Vec<f64>, downwards: bool| -> Vec<f64> {
         let mut list = heights;
         if sliver > 0.0 {

@@ -81,15 +81,21 @@ impl Frame {
         let [nx, ny] = self.size;
         let fault = |fault, message| Err(LaplaceError::new(fault, message));
         if nx == 0 || ny == 0 || nx.saturating_mul(ny) > MOST_PIXELS {
-            return fault(Fault::Limit, format!("{nx} by {ny} pixels were asked for; expected 1 to {MOST_PIXELS} in all"));
+            return fault(
+                Fault::Section,
+                format!("{nx} by {ny} pixels were asked for; expected 1 to {MOST_PIXELS} in all"),
+            );
         }
         let [u, v] = self.sides;
         let area = u.cross(v).length();
         if !(self.origin.is_finite() && area.is_finite() && area > 0.0) {
-            return fault(Fault::Method, format!("the sides {u} and {v} at {} span no plane", self.origin));
+            return fault(Fault::Section, format!("the sides {u} and {v} at {} span no plane", self.origin));
         }
         if space == Space::Plane && [self.origin, u, v].iter().any(|part| part.z != 0.0) {
-            return fault(Fault::Method, "the section leaves the plane of the problem; expected no third coordinate".to_owned());
+            return fault(
+                Fault::Section,
+                "the section leaves the plane of the problem; expected no third coordinate".to_owned(),
+            );
         }
         Ok(())
     }
@@ -209,9 +215,8 @@ impl<S: Borrow<Solution>> SectionJob<S> {
             for i in 0..counts[0] {
                 let mut found: Vec<f64> = rows.iter().map(|row| product(row, &self.weights[i])).collect();
                 let at = [corner[0] + i, corner[1] + j];
-                let x = self.origin
-                    + self.steps[0] * (at[0] as f64 + 0.5)
-                    + self.steps[1] * (at[1] as f64 + 0.5);
+                let x =
+                    self.origin + self.steps[0] * (at[0] as f64 + 0.5) + self.steps[1] * (at[1] as f64 + 0.5);
                 for (number, panel) in &near {
                     let layers = panels.space.layers(panel, x);
                     for (sum, field) in found.iter_mut().zip(&solution.fields) {

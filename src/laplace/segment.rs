@@ -85,7 +85,12 @@ mod tests {
     #[test]
     fn integrals_are_those_of_a_sum_over_many_pieces() {
         let panel = panel();
-        for x in [DVec3::new(0.5, 0.5, 0.0), DVec3::new(0.6, 0.0, 0.0), DVec3::new(-3.0, 1.0, 0.0), DVec3::new(1.2, 0.61, 0.0)] {
+        for x in [
+            DVec3::new(0.5, 0.5, 0.0),
+            DVec3::new(0.6, 0.0, 0.0),
+            DVec3::new(-3.0, 1.0, 0.0),
+            DVec3::new(1.2, 0.61, 0.0),
+        ] {
             let (exact, sum) = (layers(&panel, x), summed(&panel, x));
             assert!((exact.single - sum.single).abs() < 1e-9, "{exact:?}, not {sum:?}");
             assert!((exact.double - sum.double).abs() < 1e-9, "{exact:?}, not {sum:?}");

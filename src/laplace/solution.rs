@@ -79,7 +79,8 @@ impl Solution {
             if !given.is_value.contains(&true) {
                 // Fluxes alone leave a constant free: the mean over the boundary is 0.
                 let whole: f64 = panels.list.iter().map(|panel| panel.size).sum();
-                let mean = unknown.iter().zip(&panels.list).map(|(x, panel)| x * panel.size).sum::<f64>() / whole;
+                let mean =
+                    unknown.iter().zip(&panels.list).map(|(x, panel)| x * panel.size).sum::<f64>() / whole;
                 unknown.iter_mut().for_each(|x| *x -= mean);
             }
             let (mut values, mut fluxes) = (given.data[material].clone(), unknown);
@@ -89,7 +90,11 @@ impl Solution {
                 }
             }
             let slots = |list: &[f64]| -> Vec<f32> {
-                panels.order.iter().map(|panel| list.get(*panel as usize).map_or(0.0, |x| *x as f32)).collect()
+                panels
+                    .order
+                    .iter()
+                    .map(|panel| list.get(*panel as usize).map_or(0.0, |x| *x as f32))
+                    .collect()
             };
             let shift = problem.shifts[material];
             Field {
@@ -289,7 +294,12 @@ fn range(conditions: &Conditions, material: usize, values: &[f64], shift: f64) -
     }
     let flows = |(_, (is_value, datum)): &(&f64, (&bool, &f64))| **is_value || **datum != 0.0;
     let data = conditions.is_value.iter().zip(&conditions.data[material]);
-    let bounding = values.iter().zip(data).filter(flows).map(|(value, (is_value, datum))| if *is_value { *datum } else { value + shift });
-    let (low, high) = bounding.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    let bounding = values
+        .iter()
+        .zip(data)
+        .filter(flows)
+        .map(|(value, (is_value, datum))| if *is_value { *datum } else { value + shift });
+    let (low, high) =
+        bounding.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     Some([low, high])
 }

@@ -50,8 +50,10 @@ fn seen(panel: &Panel, x: DVec3) -> Seen {
         0.0
     } else {
         let volume = r[0].dot(r[1].cross(r[2]));
-        let below =
-            far[0] * far[1] * far[2] + r[0].dot(r[1]) * far[2] + r[1].dot(r[2]) * far[0] + r[2].dot(r[0]) * far[1];
+        let below = far[0] * far[1] * far[2]
+            + r[0].dot(r[1]) * far[2]
+            + r[1].dot(r[2]) * far[0]
+            + r[2].dot(r[0]) * far[1];
         2.0 * volume.atan2(below)
     };
     let side = |k: usize| {
@@ -145,7 +147,11 @@ mod tests {
             let near = layers(&panel, panel.centre - panel.normal * side);
             assert!((near.double - 0.5 * side.signum()).abs() < 1e-6, "{near:?}");
         }
-        for x in [panel.corners[0], panel.corners[0].lerp(panel.corners[1], 0.3), panel.corners[2] * 2.0 - panel.corners[1]] {
+        for x in [
+            panel.corners[0],
+            panel.corners[0].lerp(panel.corners[1], 0.3),
+            panel.corners[2] * 2.0 - panel.corners[1],
+        ] {
             assert!(layers(&panel, x).single.is_finite(), "on a corner, on a side, and on its line");
         }
     }

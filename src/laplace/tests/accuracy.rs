@@ -50,7 +50,9 @@ fn harmonic_polynomials_are_found_from_values_and_from_mixed_data() {
     assert!(slope(&mixed) <= -0.9 && mixed[2].1 < 4e-3, "{mixed:?}");
     let linear = |p: DVec3| 0.3 + p.x - 2.0 * p.y + 0.5 * p.z;
     let slant = DVec3::new(1.0, -2.0, 0.5);
-    let of = |panel: &Panel| if panel.centre.x > 0.4 { Ok(linear(panel.centre)) } else { Err(slant.dot(panel.normal)) };
+    let of = |panel: &Panel| {
+        if panel.centre.x > 0.4 { Ok(linear(panel.centre)) } else { Err(slant.dot(panel.normal)) }
+    };
     assert!(worst(&solved(samples::cube(8), of), &inner(4), linear) < 2.5e-2);
 }
 
@@ -81,16 +83,20 @@ fn the_shell_between_spheres_is_found_with_the_square_of_the_panels_size() {
 #[test]
 fn the_annulus_on_the_unit_circle_is_found_in_spite_of_the_degenerate_scale() {
     let exact = |p: DVec3| p.length().ln() / 0.4_f64.ln();
-    let places: Vec<DVec3> = (0..24).map(|k| DVec3::new((f64::from(k)).cos(), f64::from(k).sin(), 0.0) * (0.45 + 0.02 * f64::from(k))).collect();
+    let places: Vec<DVec3> = (0..24)
+        .map(|k| DVec3::new((f64::from(k)).cos(), f64::from(k).sin(), 0.0) * (0.45 + 0.02 * f64::from(k)))
+        .collect();
     for scale in [1.0, 1.0001, 2.0, 1e-3, 1e5] {
         let flux = 1.0 / (scale * 0.4_f64.ln());
         let of = |panel: &Panel| if panel.centre.length() < 0.7 * scale { Ok(1.0) } else { Err(flux) };
         let solution = solved(samples::annulus(0.4 * scale, scale, 256), of);
-        let error = places.iter().map(|p| (value(&solution, *p * scale) - exact(*p)).abs()).fold(0.0, f64::max);
+        let error =
+            places.iter().map(|p| (value(&solution, *p * scale) - exact(*p)).abs()).fold(0.0, f64::max);
         assert!(error <= 2e-3, "{error} at the scale {scale}");
         let dirichlet = |panel: &Panel| Ok(if panel.centre.length() < 0.7 * scale { 1.0 } else { 0.0 });
         let solution = solved(samples::annulus(0.4 * scale, scale, 256), dirichlet);
-        let error = places.iter().map(|p| (value(&solution, *p * scale) - exact(*p)).abs()).fold(0.0, f64::max);
+        let error =
+            places.iter().map(|p| (value(&solution, *p * scale) - exact(*p)).abs()).fold(0.0, f64::max);
         assert!(error <= 2e-3, "{error} at the scale {scale}, values alone");
     }
 }
@@ -123,9 +129,14 @@ fn the_square_and_patches_on_it_converge() {
 #[test]
 fn fluxes_alone_determine_the_solution_up_to_its_mean() {
     let exact = |p: DVec3| p.x * p.x - p.y * p.y;
-    let flux = |panel: &Panel| Err(DVec3::new(2.0 * panel.centre.x, -2.0 * panel.centre.y, 0.0).dot(panel.normal));
+    let flux =
+        |panel: &Panel| Err(DVec3::new(2.0 * panel.centre.x, -2.0 * panel.centre.y, 0.0).dot(panel.normal));
     let solution = solved(samples::cube(8), flux);
-    let mean: f64 = solution.values()[0].iter().zip(solution.problem().mesh().panels()).map(|(v, panel)| v * panel.size).sum();
+    let mean: f64 = solution.values()[0]
+        .iter()
+        .zip(solution.problem().mesh().panels())
+        .map(|(v, panel)| v * panel.size)
+        .sum();
     assert!(mean.abs() < 1e-9);
     let middle = DVec3::splat(0.5);
     let offset = value(&solution, middle) - exact(middle);
@@ -135,7 +146,8 @@ fn fluxes_alone_determine_the_solution_up_to_its_mean() {
 
 #[test]
 fn what_flows_in_flows_out_and_a_shell_lets_through_what_is_known() {
-    let solution = solved(samples::shell(0.5, 1.0, 2), |panel| Ok(f64::from(u8::from(panel.centre.length() < 0.7))));
+    let solution =
+        solved(samples::shell(0.5, 1.0, 2), |panel| Ok(f64::from(u8::from(panel.centre.length() < 0.7))));
     assert!(solution.flux_balance()[0].abs() < 1e-2, "{:?}", solution.flux_balance());
     let through: f64 = solution
         .problem()

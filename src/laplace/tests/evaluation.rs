@@ -53,7 +53,12 @@ fn shown_values_keep_to_the_maximum_principle_and_clamps_are_told() {
 #[test]
 fn points_on_the_boundary_have_its_values_and_points_outside_none() {
     let solution = solved(samples::cube(6), |panel| Ok(panel.centre.x));
-    for p in [DVec3::new(0.31, 0.42, 0.0), DVec3::new(1.0, 0.4, 0.6), DVec3::new(0.3, 0.0, 1.0), DVec3::new(0.5, 0.5, 0.5)] {
+    for p in [
+        DVec3::new(0.31, 0.42, 0.0),
+        DVec3::new(1.0, 0.4, 0.6),
+        DVec3::new(0.3, 0.0, 1.0),
+        DVec3::new(0.5, 0.5, 0.5),
+    ] {
         assert!((value(&solution, p) - p.x).abs() < 3e-2, "{} at {p}", value(&solution, p));
     }
     assert!(solution.at(DVec3::ONE).is_some() && solution.at(DVec3::ZERO).is_some(), "corners belong to it");
@@ -73,7 +78,8 @@ fn gradients_are_those_of_the_solution() {
         let found = solution.gradient(p).unwrap()[0];
         assert!(found.distance(DVec3::new(2.0 * p.x, -2.0 * p.y, 0.0)) < 4e-2, "{found} at {p}");
         let step = 1e-3;
-        let along = (value(&solution, p + DVec3::X * step) - value(&solution, p - DVec3::X * step)) / (2.0 * step);
+        let along =
+            (value(&solution, p + DVec3::X * step) - value(&solution, p - DVec3::X * step)) / (2.0 * step);
         assert!((found.x - along).abs() < 5e-3, "{} and {along}", found.x);
     }
     let ring = solved(samples::annulus(0.4, 1.0, 128), |panel| Ok(panel.centre.length().ln()));
@@ -88,11 +94,22 @@ fn gradients_are_those_of_the_solution() {
 #[test]
 fn sections_are_what_points_say() {
     let cases = [
-        (cube(6), Frame { origin: DVec3::new(-0.1, 0.5, -0.1), sides: [DVec3::X * 1.2, DVec3::Z * 1.2], size: [70, 45] }),
+        (
+            cube(6),
+            Frame {
+                origin: DVec3::new(-0.1, 0.5, -0.1),
+                sides: [DVec3::X * 1.2, DVec3::Z * 1.2],
+                size: [70, 45],
+            },
+        ),
         (cube(4), Frame { origin: DVec3::new(0.0, 0.0, 1.0), sides: [DVec3::X, DVec3::Y], size: [20, 20] }),
         (
             solved(samples::annulus(0.4, 1.0, 96), |panel| Ok(panel.centre.x * panel.centre.y)),
-            Frame { origin: DVec3::new(-1.0, -1.0, 0.0), sides: [DVec3::X * 2.0, DVec3::Y * 2.0], size: [61, 50] },
+            Frame {
+                origin: DVec3::new(-1.0, -1.0, 0.0),
+                sides: [DVec3::X * 2.0, DVec3::Y * 2.0],
+                size: [61, 50],
+            },
         ),
     ];
     for (solution, frame) in cases {
@@ -106,7 +123,10 @@ fn sections_are_what_points_say() {
                 match solution.at(p) {
                     Some(found) => {
                         inside += 1;
-                        assert!((f64::from(shown) - found.values[0]).abs() < 2e-3, "{shown}, not {found:?}, at {p}");
+                        assert!(
+                            (f64::from(shown) - found.values[0]).abs() < 2e-3,
+                            "{shown}, not {found:?}, at {p}"
+                        );
                     }
                     None => assert!(shown.is_nan(), "{shown} at {p}"),
                 }

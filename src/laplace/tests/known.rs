@@ -25,7 +25,12 @@ fn face(u: f64, v: f64, w: f64) -> f64 {
 
 /// The cube of the paper's Fig. 13: 1 at z = 1, 0.5 at z = 0, 0 on four sides.
 pub(super) fn cube(p: DVec3) -> f64 {
-    let sides = || [p, DVec3::new(p.y, p.x, p.z)].iter().map(|p| face(p.y, p.z, p.x) + face(p.y, p.z, 1.0 - p.x)).sum::<f64>();
+    let sides = || {
+        [p, DVec3::new(p.y, p.x, p.z)]
+            .iter()
+            .map(|p| face(p.y, p.z, p.x) + face(p.y, p.z, 1.0 - p.x))
+            .sum::<f64>()
+    };
     let [top, bottom] = [p.z, 1.0 - p.z].map(|w| (w < 0.92).then(|| face(p.x, p.y, w)));
     // All six faces make 1, so that beside one the others say what it does.
     match (top, bottom) {
@@ -38,7 +43,9 @@ pub(super) fn cube(p: DVec3) -> f64 {
 
 /// The same for the square: 1 at y = 1, 0.5 at y = 0, 0 at the sides.
 pub(super) fn square(p: DVec2) -> f64 {
-    let term = |m: f64| 4.0 / (PI * m) * (m * PI * p.x).sin() * (share(m * PI, p.y) + share(m * PI, 1.0 - p.y) / 2.0);
+    let term = |m: f64| {
+        4.0 / (PI * m) * (m * PI * p.x).sin() * (share(m * PI, p.y) + share(m * PI, 1.0 - p.y) / 2.0)
+    };
     (1..400).step_by(2).map(|m| term(f64::from(m))).sum()
 }
 

@@ -5,7 +5,10 @@ mod evaluation;
 mod known;
 mod solving;
 
-use super::{Conditions, GmresOptions, LaplaceOptions, Mesh, Method, Panel, Preconditioner, Problem, Solution, samples, solve};
+use super::{
+    Conditions, GmresOptions, LaplaceOptions, Mesh, Method, Panel, Preconditioner, Problem, Solution,
+    samples, solve,
+};
 use glam::DVec3;
 
 /// Conditions from a function of the panel.

@@ -66,7 +66,8 @@ fn mixed(panel: &Panel) -> Result<f64, f64> {
 fn gmres_and_lu_find_what_elimination_finds() {
     let made = equations(samples::cube(3), usize::MAX, mixed);
     let expected = eliminated(&columns(&made.matrix), &made.sides[0]);
-    let kinds = [Preconditioner::None, Preconditioner::Jacobi, Preconditioner::Ssor(0.5), Preconditioner::Ssor(1.0)];
+    let kinds =
+        [Preconditioner::None, Preconditioner::Jacobi, Preconditioner::Ssor(0.5), Preconditioner::Ssor(1.0)];
     let mut methods: Vec<LaplaceOptions> = kinds.iter().map(|kind| gmres(*kind, 1e-12)).collect();
     methods.push(LaplaceOptions { method: Method::Lu, ..LaplaceOptions::default() });
     for options in methods {
@@ -76,8 +77,16 @@ fn gmres_and_lu_find_what_elimination_finds() {
         let scale = solution.problem().scaling.scale();
         let (values, fluxes) = (&solution.values()[0], &solution.fluxes()[0]);
         for (element, is_value) in given.is_value.iter().enumerate() {
-            let found = if *is_value { fluxes[element] / scale } else { values[element] - solution.problem().shifts[0] };
-            assert!((found - expected[element]).abs() < 1e-9, "{found}, not {}, by {options:?}", expected[element]);
+            let found = if *is_value {
+                fluxes[element] / scale
+            } else {
+                values[element] - solution.problem().shifts[0]
+            };
+            assert!(
+                (found - expected[element]).abs() < 1e-9,
+                "{found}, not {}, by {options:?}",
+                expected[element]
+            );
         }
     }
 }
@@ -90,9 +99,12 @@ fn ssor_is_the_product_of_its_triangles() {
     let n = a.len();
     let z: Vec<f64> = (0..n).map(|k| (k as f64).sin()).collect();
     // M z = (D + wL) D^-1 (D + wU) z.
-    let upper: Vec<f64> = (0..n).map(|r| a[r][r] * z[r] + omega * (r + 1..n).map(|c| a[c][r] * z[c]).sum::<f64>()).collect();
+    let upper: Vec<f64> =
+        (0..n).map(|r| a[r][r] * z[r] + omega * (r + 1..n).map(|c| a[c][r] * z[c]).sum::<f64>()).collect();
     let scaled: Vec<f64> = (0..n).map(|r| upper[r] / a[r][r]).collect();
-    let mut r: Vec<f64> = (0..n).map(|r| a[r][r] * scaled[r] + omega * (0..r).map(|c| a[c][r] * scaled[c]).sum::<f64>()).collect();
+    let mut r: Vec<f64> = (0..n)
+        .map(|r| a[r][r] * scaled[r] + omega * (0..r).map(|c| a[c][r] * scaled[c]).sum::<f64>())
+        .collect();
     let mut sweep = Sweep::new(Preconditioner::Ssor(omega));
     while !sweep.step(matrix, &mut r, &mut || false) {}
     assert!(r.iter().zip(&z).all(|(found, expected)| (found - expected).abs() < 1e-10));
@@ -142,7 +154,11 @@ fn both_residuals_are_told_and_are_what_they_say() {
     let jacobi = run(Preconditioner::Jacobi);
     assert!(jacobi.is_converged && jacobi.residuals.last().is_some_and(|last| *last <= 1e-8));
     assert!(jacobi.residuals.iter().zip(&jacobi.preconditioned).any(|(a, b)| (a - b).abs() > 0.1 * a));
-    assert!(jacobi.preconditioned.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-9)), "{:?}", jacobi.preconditioned);
+    assert!(
+        jacobi.preconditioned.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-9)),
+        "{:?}",
+        jacobi.preconditioned
+    );
     assert_eq!(jacobi.iterations() + 1, jacobi.preconditioned.len());
 }
 
@@ -170,7 +186,9 @@ fn condition_numbers_are_estimated() {
     let made = equations(samples::cube(2), usize::MAX, faces);
     let a = columns(&made.matrix);
     let n = a.len();
-    let norm = |columns: &[Vec<f64>]| columns.iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let norm = |columns: &[Vec<f64>]| {
+        columns.iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max)
+    };
     let unit = |k: usize| (0..n).map(|row| f64::from(u8::from(row == k))).collect::<Vec<_>>();
     let inverse: Vec<Vec<f64>> = (0..n).map(|k| eliminated(&a, &unit(k))).collect();
     let exact = norm(&a) * norm(&inverse);
@@ -200,14 +218,17 @@ fn fractions_sum_to_one_and_share_one_matrix() {
     };
     let data = (0..3).map(|k| panels.iter().map(|panel| mix(panel)[k]).collect()).collect();
     let given = Conditions { is_value: vec![true; panels.len()], data, are_fractions: true };
-    let solution = solve(Problem::new(mesh.clone(), given.clone()).unwrap(), LaplaceOptions::default()).unwrap();
+    let solution =
+        solve(Problem::new(mesh.clone(), given.clone()).unwrap(), LaplaceOptions::default()).unwrap();
     assert_eq!(solution.convergences().len(), 2, "the last follows from the others");
     let last = solved(mesh.clone(), |panel| Ok(mix(panel)[2]));
     for k in 0..60 {
         let direction = DVec3::new(f64::from(k).sin(), f64::from(k).cos(), (0.7 * f64::from(k)).sin());
         let p = direction.normalize() * (0.55 + 0.006 * f64::from(k));
         let found = solution.at(p).unwrap().values;
-        assert!((found.iter().sum::<f64>() - 1.0).abs() < 1e-12 && found.iter().all(|x| (0.0..=1.0).contains(x)));
+        assert!(
+            (found.iter().sum::<f64>() - 1.0).abs() < 1e-12 && found.iter().all(|x| (0.0..=1.0).contains(x))
+        );
         assert!((found[2] - value(&last, p)).abs() < 1e-4);
     }
     let mut wrong = given;
@@ -243,9 +264,18 @@ fn wrong_problems_and_methods_are_refused() {
     }
     let few = LaplaceOptions { most_dense: 10, ..gmres(Preconditioner::Ssor(0.5), 1e-6) };
     assert!(method(cube.clone(), few).message.contains("whole matrix"));
-    assert!(method(samples::cube(13), LaplaceOptions { method: Method::Lu, ..LaplaceOptions::default() }).message.contains(&MOST_LU.to_string()));
+    assert!(
+        method(samples::cube(13), LaplaceOptions { method: Method::Lu, ..LaplaceOptions::default() })
+            .message
+            .contains(&MOST_LU.to_string())
+    );
     let through = Mesh::solid(
-        samples::cube(4).vertices().iter().copied().chain(samples::cube(4).vertices().iter().map(|v| *v * 0.5 + DVec3::splat(0.7))).collect(),
+        samples::cube(4)
+            .vertices()
+            .iter()
+            .copied()
+            .chain(samples::cube(4).vertices().iter().map(|v| *v * 0.5 + DVec3::splat(0.7)))
+            .collect(),
         {
             let count = samples::cube(4).vertices().len() as u32;
             let own = samples::cube(4).elements().to_vec();
@@ -255,7 +285,9 @@ fn wrong_problems_and_methods_are_refused() {
     );
     let through = through.unwrap();
     let given = conditions(&through, |_| Ok(1.0));
-    let found = Problem::new(through, given).and_then(|problem| solve(problem, LaplaceOptions::default())).unwrap_err();
+    let found = Problem::new(through, given)
+        .and_then(|problem| solve(problem, LaplaceOptions::default()))
+        .unwrap_err();
     assert!(matches!(found.fault, Fault::Meeting | Fault::Apart) && found.at.is_some(), "{found:?}");
 }
 
