@@ -24,4 +24,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "merge",
   "distanceTransform",
   "part",
+  "solveLaplace",
 ]);

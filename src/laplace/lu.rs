@@ -158,7 +158,7 @@ impl Estimate {
         }
         // Higham's second try catches what cancels in the first.
         let even = 1.0 / (n.max(2) - 1) as f64;
-        let slope = |k: usize| (1.0 + k as f64 * even) * if k % 2 == 0 { 1.0 } else { -1.0 };
+        let slope = |k: usize| (1.0 + k as f64 * even) * if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let other = lu.solve(&(0..n).map(slope).collect::<Vec<_>>());
         Some(lu.norm * self.inverse.max(2.0 * size(&other) / (3.0 * n as f64)))
     }
