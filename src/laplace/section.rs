@@ -13,7 +13,7 @@ use std::borrow::Borrow;
 use std::f64::consts::PI;
 
 /// Pixels along a side of a tile.
-const TILE: usize = 16;
+const TILE: usize = 32;
 
 /// Places along a side of a tile between which is interpolated.
 const NODES: usize = 8;
