@@ -140,17 +140,26 @@ export function createApi(engine) {
     };
   };
   /**
-   * A transform under way. Without a limit the field is left out, which JSON has no infinity for.
+   * Options and features of a transform. Without a limit the field is left out, which JSON has no infinity for.
+   *
+   * @param {import("./directrix.js").TransformInput} input
+   * @returns {[string, Uint8Array]}
+   */
+  const transformInput = ({ features, limit = Infinity, ...rest }) => {
+    const options = toText(limit === Infinity ? rest : { ...rest, limit });
+    if (!(features instanceof Uint8Array)) {
+      throw new DirectrixError("type", "features", `${String(features)} was found; expected a Uint8Array`);
+    }
+    return [options, features];
+  };
+  /**
+   * A transform under way.
    *
    * @param {import("./directrix.js").TransformInput} input
    */
-  const transforming = ({ features, limit = Infinity, ...rest }) =>
+  const transforming = (input) =>
     ask(() => {
-      const options = toText(limit === Infinity ? rest : { ...rest, limit });
-      if (!(features instanceof Uint8Array)) {
-        throw new DirectrixError("type", "features", `${String(features)} was found; expected a Uint8Array`);
-      }
-      const transform = whole(engine, "transform").transform(options, features);
+      const transform = whole(engine, "transform").transform(...transformInput(input));
       return {
         step: (/** @type {number} */ budget) => ask(() => transform.step(budget)),
         end: () => ({ distances: ask(() => transform.result()) }),
@@ -234,6 +243,7 @@ export function createApi(engine) {
       work.step(Infinity);
       return work.answer();
     },
+    transformSteps: (input) => ask(() => whole(engine, "transformSteps").transformSteps(...transformInput(input))),
     part(document) {
       const text = ask(() => toText(document));
       const answer = (/** @type {any} */ question, /** @type {object} */ rest) => {

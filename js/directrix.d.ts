@@ -841,6 +841,20 @@ export interface TransformInput {
   limit?: number;
 }
 
+/** What both methods do in the plane. Squared distances are in pixels, and Infinity without a feature; x runs fastest. */
+export interface TransformSteps {
+  /** Squared distance of each pixel to the nearest feature in its row. */
+  rows: Float32Array;
+  /** Squared distance of each pixel to the nearest feature. */
+  levels: Float32Array;
+  columns: {
+    /** The rows whose parabolas make up the lower envelope, ascending. */
+    corners: number[];
+    /** The searches of the paper's scan: of `reach` pixels that the bound allows, after `from` or before it, `count` were compared. */
+    searches: { from: number; forward: boolean; reach: number; count: number }[];
+  }[];
+}
+
 /** A point [x, y, z], z up, or parameters [u, v, w]. */
 export type Triple = [number, number, number];
 
@@ -1121,7 +1135,16 @@ export type Box = [Point, Point];
 export interface RasterOptions {
   box?: Box;
   size?: [number, number];
+  /** In place of `size` the width of square pixels, as a printer has them; the box grows evenly to whole ones. */
+  pitch?: number;
 }
+
+/** What a file of a part is. A `png` of one `material` is grey, and `slices` are a ZIP archive with such a picture of each material. */
+export type PartFileOptions = RasterOptions &
+  ({ format: "csv" | "vti" | "nrrd" } | { format: "png"; material?: number; dither?: Dither } | { format: "slices"; dither?: Dither });
+
+/** How fractions become pixels that have one material each: not, by error diffusion, or by a mask of blue noise. */
+export type Dither = "none" | "diffusion" | "blue-noise";
 
 /** Pixels in rows from the top, evaluated at their centres. */
 export interface PartRaster {
@@ -1179,8 +1202,8 @@ export interface Part {
   isolines(options?: RasterOptions & { material?: number; levels?: number[] }): Isoline[];
   /** The leaves of the subdivision that there are, each with the features that hold it. */
   leaves(options?: RasterOptions): { body: number; leaf: number; features: number[]; names: string[]; area: number }[];
-  /** At most 4 194 304 pixels. A `png` of one material is grey; `dither` makes it one of all or nothing. */
-  file(options: RasterOptions & { format: "csv" | "vti" | "nrrd" | "png"; material?: number; dither?: "none" | "diffusion" }): Uint8Array;
+  /** At most 4 194 304 pixels. */
+  file(options: PartFileOptions): Uint8Array;
   /** The document with every default spelt out. */
   defaults(): PartDocument;
 }
@@ -1289,6 +1312,8 @@ export interface Directrix {
   solveLaplace(input: LaplaceInput): LaplaceSolution;
   /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
   distanceTransform(input: TransformInput): Float32Array;
+  /** The transform of a plane of at most 16 384 square pixels as it can be watched, without a limit. Module `full`. */
+  transformSteps(input: TransformInput): TransformSteps;
   /**
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
    * these functions; `hyperpatch` and `part` are questions about documents of these kinds.
@@ -1352,6 +1377,12 @@ export function describeCurves(document: CurvesDocument): string;
  * What is known of a body in one sentence: `8 cells, all regular, none overlapping, materials sum to 1`. It counts what fails and says what holds once.
  */
 export function describeBody(summary: BodySummary): string;
+
+/** What is known of a part, in a sentence: its bodies and features, what it is made of, and the design rules that are broken. */
+export function describePart(
+  part: Pick<Part, "bodies" | "diagnostics">,
+  found: { materials: readonly { name: string }[]; amounts: { area: number; amounts: number[] }; rules?: readonly { name: string; count: number }[] },
+): string;
 
 /**
  * Puts what `surface({ since: surface.id })` brought into the arrays of that surface, and says which places have new values. null, and nothing is changed,

@@ -1,6 +1,9 @@
-import type { CurvesDocument, DocumentInput, ErrorCode, HyperpatchDocument, Match } from "./directrix.js";
+import type { CurvesDocument, DocumentInput, ErrorCode, HyperpatchDocument, Match, PartDocument } from "./directrix.js";
 
-/** What the matching of a figure is worth, or the body of one: then `body` is there, no line is counted, and what belongs to matchings is null. */
+/**
+ * What the matching of a figure is worth, or the body or part of one: then `body` or `part` is there, no line is counted, and what belongs to matchings
+ * is null.
+ */
 export interface FigureResult {
   /** Whether every sample has a line, none cross and none is blocked. */
   ok: boolean;
@@ -22,7 +25,7 @@ export interface FigureResult {
   diagnostics: string[];
   /** The result in words, such as "44 lines, none crossing, η 0.98". */
   text: string;
-  /** The same in short, of a body. */
+  /** The same in short, of a body or a part. */
   brief?: string;
   body?: {
     cells: number;
@@ -35,6 +38,18 @@ export interface FigureResult {
     volume: number;
     /** Whether every check has run to its end; before, only certificates of single cells have. */
     checked: boolean;
+  };
+  part?: {
+    bodies: number;
+    features: number;
+    /** Bodies, features and design rules that have a fault and are left out. */
+    skipped: number;
+    /** Design rules that are broken. */
+    broken: number;
+    /** In the unit of the document, squared. */
+    area: number;
+    /** Of each material, 0 to 1. */
+    fractions: number[];
   };
 }
 
@@ -80,12 +95,12 @@ export class DirectrixFigure extends HTMLElement {
   /** The editor, for figures without the attribute `editor`. */
   static editor: string | URL;
   /**
-   * A copy of the document that is shown, of a body a `HyperpatchDocument`, which its `kind` tells; null before the first one stands. Setting
-   * one shows it once it is found to be valid.
+   * A copy of the document that is shown, of a body a `HyperpatchDocument` and of a part a `PartDocument`, which its `kind` tells; null before the first
+   * one stands. Setting one shows it once it is found to be valid.
    */
   get document(): CurvesDocument | null;
-  set document(document: DocumentInput | HyperpatchDocument | null);
-  /** Place of the current in-between curve, 0 to 1; of a body the share of its depth that the section has taken away. */
+  set document(document: DocumentInput | HyperpatchDocument | PartDocument | null);
+  /** Place of the current in-between curve, 0 to 1; of a body the share of its depth that the section has taken away; of a part 0. */
   s: number;
   readonly result: FigureResult | null;
   /** Where the figure is computed; null before that is known. */

@@ -23,6 +23,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "hyperpatch",
   "merge",
   "distanceTransform",
+  "transformSteps",
   "part",
   "solveLaplace",
 ]);

@@ -4,6 +4,7 @@ import { moduleNamed } from "./modules.js";
 export { connect } from "./connect.js";
 export { DirectrixError } from "./errors.js";
 export { renewSurface } from "./renew.js";
+export { describePart } from "./part-sentence.js";
 export { describe, describeBody, describeCurves } from "./sentence.js";
 
 /** Loads a module over the network once and returns its functions. See docs/api.md. */

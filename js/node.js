@@ -4,6 +4,7 @@ import { moduleNamed } from "./modules.js";
 
 export { DirectrixError } from "./errors.js";
 export { renewSurface } from "./renew.js";
+export { describePart } from "./part-sentence.js";
 export { describe, describeBody, describeCurves } from "./sentence.js";
 
 /** Loads a module from disk once and returns its functions. See docs/api.md. */

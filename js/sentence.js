@@ -121,10 +121,10 @@ export function describeBody({ cells, verdicts, mirrored, worst, pairs, sumError
 }
 
 /** @param {number} count @param {string} one @param {string} many */
-const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+export const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
 /** @param {string[]} names */
-const list = (names) => [names.slice(0, -1).join(", "), ...names.slice(-1)].filter((part) => part !== "").join(" and ");
+export const list = (names) => [names.slice(0, -1).join(", "), ...names.slice(-1)].filter((part) => part !== "").join(" and ");
 
 /** From the least to the greatest value, to three figures. @param {number[]} values */
 function extent(values) {

@@ -178,6 +178,34 @@ fn golden_presets() {
     }
 }
 
+/// The section of each preset of a part, 160 pixels along its longer side, in the colours that the page shows.
+#[cfg(feature = "part")]
+#[test]
+fn golden_sections() {
+    use directrix::document::{KnownPart, PartAnswer, PartAsk, PartJob, PartModel, read_part};
+    use std::rc::Rc;
+
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/presets/part");
+    let mut count = 0;
+    for file in std::fs::read_dir(folder).expect("the folder of presets") {
+        let path = file.expect("a file").path();
+        let text = std::fs::read_to_string(&path).expect("a text");
+        let document = read_part(&Json::parse(&text).expect("JSON")).expect("a valid document");
+        let model = PartModel::new(document).expect("a part");
+        let extent = model.part().bounds().map(|bounds| bounds.max - bounds.min).expect("a body");
+        let size = extent.to_array().map(|along| (160.0 * along / extent.max_element()).round());
+        let options = json!({"options": {"size": [size[0] as u32, size[1] as u32], "colors": true}});
+        let ask = PartAsk::read("evaluate", &Json::from(options), &model).expect("a question");
+        let answer = PartJob::new(Rc::new(KnownPart::new(model)), ask).run();
+        let Some(PartAnswer::Raster(raster, Some(data))) = answer else { panic!("{}", path.display()) };
+        let [width, height] = raster.frame.size().map(|along| along as u32);
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
+        golden::check(&format!("part-{name}"), &golden::Picture { width, height, data }, golden::SAME_CODE);
+        count += 1;
+    }
+    assert_eq!(count, 7);
+}
+
 /// A document as it is painted and written with the given options.
 fn drawn(id: &str, options: &str) -> (golden::Picture, String) {
     let Preset { text, .. } = presets().into_iter().find(|preset| preset.id == id).expect("a preset");

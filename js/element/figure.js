@@ -3,6 +3,8 @@
  *
  * @import { CurvesDocument, DocumentInput, LayerName } from "../directrix.js"
  * @import { BodyScene } from "./body/body-scene.js"
+ * @import { Kind } from "./kind.js"
+ * @import { PartScene } from "./part/part-scene.js"
  */
 import { DirectrixError } from "../errors.js";
 import { attribute, write } from "./dom.js";
@@ -10,7 +12,7 @@ import { createFrame } from "./frame.js";
 import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
 import { isInSpace } from "./in-space.js";
-import { isBody, isBodyPreset } from "./kind.js";
+import { kindOf, presetKind } from "./kind.js";
 import { release, use, warm } from "./kernel.js";
 import { Morph } from "./morph.js";
 import { observe, observeSize } from "./observe.js";
@@ -55,11 +57,13 @@ export class DirectrixFigure extends Base {
 
   #frame;
   #host;
-  /** What is shown: curves, or a body. @type {Scene} */
+  /** What is shown: curves, a body or a part. @type {Scene} */
   #scene;
   #curves;
-  /** @type {BodyScene | null} */
-  #body = null;
+  /** What shows another kind than curves. @type {BodyScene | PartScene | null} */
+  #other = null;
+  /** @type {Kind} */
+  #kind = "curves";
   #handles;
   #growth;
   /** Place in the growth, 0 to 1, where it was moved; else that of the attribute. @type {number | null} */
@@ -159,7 +163,7 @@ export class DirectrixFigure extends Base {
 
   /** Plays from one curve to the other and back; with reduced motion nothing plays. */
   play() {
-    this.#morph.play();
+    if (this.#scene.stages > 0) this.#morph.play();
   }
 
   pause() {
@@ -204,7 +208,7 @@ export class DirectrixFigure extends Base {
 
   /** Whether the figure shows the growth step by step. */
   get #isGrowth() {
-    return this.#view === "steps" && !this.#body;
+    return this.#view === "steps" && !this.#other;
   }
 
   /** A step without a view is one of the growth, as in a link. */
@@ -236,7 +240,7 @@ export class DirectrixFigure extends Base {
   }
 
   get #hasHandles() {
-    return this.#choice("controls") === "full" && !this.#body && !isInSpace(this.#scene.document);
+    return this.#choice("controls") === "full" && !this.#other && !isInSpace(this.#scene.document);
   }
 
   /** Whether anybody can see it. */
@@ -307,8 +311,8 @@ export class DirectrixFigure extends Base {
     const fetching = new AbortController();
     this.#fetching = fetching;
     this.#begin();
-    // The kernel begins with the smaller module, which knows no bodies.
-    if (!isBody(this.#given) && !(this.#given === null && isBodyPreset(preset))) warm();
+    // The kernel begins with the smaller module, which knows curves alone.
+    if ((this.#given === null ? presetKind(preset) : kindOf(this.#given)) === "curves") warm();
     void this.#open(fetching.signal);
   }
 
@@ -317,7 +321,7 @@ export class DirectrixFigure extends Base {
     try {
       const given = this.#given ?? (await readSource(this.#source, signal));
       if (signal.aborted) return;
-      await this.#suit(isBody(given));
+      await this.#suit(kindOf(given));
       if (signal.aborted) return;
       this.#fetching = null;
       this.#scene.open(given);
@@ -328,36 +332,41 @@ export class DirectrixFigure extends Base {
     }
   }
 
-  /** Takes the scene for a document: what shows bodies comes with the first of them. @param {boolean} body */
-  async #suit(body) {
-    if (body === (this.#body !== null)) return;
+  /** Takes the scene for a document: what shows bodies or parts comes with the first of them. @param {Kind} kind */
+  async #suit(kind) {
+    if (kind === this.#kind) return;
     const { size, theme } = this.#scene;
+    const made = await this.#made(kind);
+    // Another document may have come meanwhile, and found the same.
+    if (kind === this.#kind) return;
+    for (const element of this.#other ? [...this.#other.elements, this.#other.buttons] : []) element.remove();
     const { picture, bar } = this.#frame;
-    if (body) {
-      const { BodyScene } = await import("./body/body-scene.js");
-      // Another document may have come meanwhile, and found the same.
-      if (this.#body) return;
-      const made = new BodyScene(this.#host, { say: (text) => this.#say(text), rested: () => this.#paper.renew() });
+    if (made) {
       picture.append(...made.elements);
       bar.insertBefore(made.buttons, bar.querySelector(".rule"));
-      this.#body = made;
-    } else {
-      for (const element of [...(this.#body?.elements ?? []), ...(this.#body ? [this.#body.buttons] : [])]) element.remove();
-      this.#body = null;
     }
+    [this.#other, this.#kind] = [made, kind];
     this.#scene.cancel();
     this.#morph.stop();
     // It has all that is used of a scene here.
-    this.#scene = this.#body ? /** @type {Scene} */ (/** @type {unknown} */ (this.#body)) : this.#curves;
+    this.#scene = made ? /** @type {Scene} */ (/** @type {unknown} */ (made)) : this.#curves;
     this.#dress();
     this.#scene.theme = theme;
     this.#scene.resize(size);
   }
 
+  /** @param {Kind} kind */
+  async #made(kind) {
+    if (kind === "curves") return null;
+    const acts = { say: (/** @type {string} */ text) => this.#say(text), rested: () => this.#paper.renew() };
+    if (kind === "part") return new (await import("./part/part-scene.js")).PartScene(this.#host, acts);
+    return new (await import("./body/body-scene.js")).BodyScene(this.#host, acts);
+  }
+
   #dress() {
     const { ownerDocument } = this;
     const root = /** @type {ShadowRoot} */ (this.shadowRoot);
-    root.adoptedStyleSheets = [sheetOf(ownerDocument), ...(this.#body ? [this.#body.sheet(ownerDocument)] : [])];
+    root.adoptedStyleSheets = [sheetOf(ownerDocument), ...(this.#other ? [this.#other.sheet(ownerDocument)] : [])];
   }
 
   get #source() {
@@ -390,7 +399,7 @@ export class DirectrixFigure extends Base {
 
   /** @param {number} s */
   #setS(s) {
-    if (s === this.#scene.s) return;
+    if (s === this.#scene.s || this.#scene.stages === 0) return;
     this.#scene.s = s;
     this.#morph.render();
     this.#tell("change", { reason: "s", s });
@@ -552,7 +561,7 @@ export class DirectrixFigure extends Base {
     if (!state) return;
     const { writeLink } = await import("../link.js");
     const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#body ? "figure" : this.#view);
+    const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#other ? "figure" : this.#view);
     editor.hash = writeLink({
       document: state,
       ...(view === "figure" ? {} : { view }),

@@ -1,15 +1,22 @@
-/** Bodies of hyperpatches among documents and presets, told apart before anything is loaded for them. */
+/**
+ * Kinds among documents and presets, told apart before anything is loaded for them.
+ *
+ * @typedef {"curves" | "hyperpatch" | "part"} Kind
+ */
 
-/** @param {unknown} given a document, its text, or neither */
-export function isBody(given) {
-  if (typeof given !== "string") return /** @type {any} */ (given)?.kind === "hyperpatch";
-  // What is no JSON is told where it is read.
-  try {
-    return JSON.parse(given)?.kind === "hyperpatch";
-  } catch {
-    return false;
+/** The kind of a document or of its text; what is none is told where it is read. @param {unknown} given @returns {Kind} */
+export function kindOf(given) {
+  let read = given;
+  if (typeof given === "string") {
+    try {
+      read = JSON.parse(given);
+    } catch {
+      read = null;
+    }
   }
+  const kind = /** @type {any} */ (read)?.kind;
+  return kind === "hyperpatch" || kind === "part" ? kind : "curves";
 }
 
-/** Presets of bodies, which have a folder of their own. @param {string | null} name */
-export const isBodyPreset = (name) => name !== null && /^hyperpatch-[a-z0-9]/.test(name);
+/** The kind of a preset: those of bodies and parts have folders of their own. @param {string | null} name @returns {Kind} */
+export const presetKind = (name) => /** @type {Kind} */ (/^(hyperpatch|part)-[a-z0-9]/.exec(name ?? "")?.[1] ?? "curves");

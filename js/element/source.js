@@ -1,6 +1,6 @@
 /** Documents from elsewhere: a preset by name, or any address. */
 import { DirectrixError } from "../errors.js";
-import { isBodyPreset } from "./kind.js";
+import { presetKind } from "./kind.js";
 import { words } from "./words.js";
 
 /** Bytes that a document may have. */
@@ -14,7 +14,7 @@ const LARGEST = 4 * 1024 * 1024;
  */
 export function presetAddress(name, folder) {
   if (!/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name)) throw new DirectrixError("range", "preset", words.errors.preset(name));
-  return new URL(`${isBodyPreset(name) ? name.replace("-", "/") : name}.json`, folder);
+  return new URL(`${presetKind(name) === "curves" ? name : name.replace("-", "/")}.json`, folder);
 }
 
 /**

@@ -7,7 +7,7 @@
  * @typedef {object} Question What a fact is asked about.
  * @property {Directrix} dx
  * @property {any} document of the figure, with its changes
- * @property {"figure" | "steps" | "body"} view
+ * @property {"figure" | "steps" | "body" | "part" | "grid"} view
  *
  * @typedef {object} FactKind
  * @property {number} arguments numbers behind its name
@@ -15,6 +15,8 @@
  * @property {(question: Question, ...numbers: number[]) => number} of
  */
 import { pieces } from "../../www/src/lessons/certificate.js";
+import { errorsOf, marksOf, measured } from "../../www/src/lessons/grid-known.js";
+import { COURSES, distanceOf, placesOf, RULES, sampled, voxels, withFeature, withRule } from "../../www/src/lessons/part-known.js";
 
 /** What the figure shows: of the greedy growth where it shows that. @param {Question} question */
 const result = ({ dx, document, view }) => (view === "steps" ? dx.steps(document) : dx.match(document));
@@ -172,6 +174,39 @@ function apart(question, places) {
   return Math.hypot(...a.map((each, axis) => each - b[axis]));
 }
 
+/** The fraction of a material (from 1) at a place of a part. @param {Directrix} dx @param {any} document @param {number} material @param {number[]} at */
+const fractionAt = (dx, document, material, at) => dx.part(document).probe(/** @type {any} */ (at))?.fractions?.[material - 1] ?? NaN;
+
+/** The same by a rule (from 1), of the voxel by the printed one. @param {Question} question @param {number} rule @param {number} material */
+function byRule({ dx, document }, rule, material) {
+  const part = dx.part(withRule(document, RULES[rule - 1]));
+  if (RULES[rule - 1] !== "printed" || !part.box) return (/** @type {any} */ at) => part.probe(at)?.fractions?.[material - 1] ?? NaN;
+  return sampled(part.evaluate({ size: voxels(part.box) }), material - 1);
+}
+
+/** The pixels of the features of a grid, and the transform as it can be watched. @param {Question} question @param {number} [pixels] */
+function gridOf({ dx, document }, pixels = 16) {
+  const marks = marksOf(document, dx.part(document).box ?? [[0, 0], [1, 1]], pixels);
+  return { marks, steps: dx.transformSteps({ size: marks.size, features: marks.features }) };
+}
+
+/** How far digital distances are off at most, in edges. @param {Question} question @param {number} pixels @param {boolean} isAnywhere */
+function worstError(question, pixels, isAnywhere) {
+  const { dx, document } = question;
+  const { marks } = gridOf(question, pixels);
+  const digital = dx.distanceTransform({ size: marks.size, features: marks.features });
+  const ruler = dx.part(document).evaluate({ size: measured(marks, isAnywhere) });
+  const { worst } = errorsOf(marks, digital, ruler.fractions[1], document.bodies[0].features[0].to, isAnywhere);
+  return { worst, edge: marks.edge };
+}
+
+/** Of the searches of a column (from 1), or of all where it is 0. @param {Question} question @param {number} column @param {"reach" | "count"} key */
+const searched = (question, column, key) =>
+  gridOf(question)
+    .steps.columns.filter((_, n) => column === 0 || n === column - 1)
+    .flatMap(({ searches }) => searches)
+    .reduce((sum, each) => sum + each[key], 0);
+
 /** @type {{[name: string]: FactKind}} */
 export const FACTS = {
   samples: { arguments: 1, meaning: "samples of curve 1 or 2", of: (question, curve) => result(question).samples[curve - 1]?.points.length ?? NaN },
@@ -248,6 +283,40 @@ export const FACTS = {
     meaning: "fraction of a material (from 1) that is as far beyond the middle joint of a row as it is before it",
     of: (question, material) => [cellsOf(question)[1].coefficients].map((own) => 2 * own[48].mix[material - 1] - own[32].mix[material - 1])[0],
   },
+  "fraction-at": { arguments: 3, meaning: "fraction of a material (from 1) of a part at x, y", of: ({ dx, document }, material, ...at) => fractionAt(dx, document, material, at) },
+  "distance-to": {
+    arguments: 3,
+    meaning: "distance of the place x, y of a part to a feature (from 1)",
+    of: ({ dx, document }, feature, ...at) => distanceOf(dx.part(document).probe(/** @type {any} */ (at)), feature - 1),
+  },
+  "by-course": {
+    arguments: 4,
+    meaning: "fraction of a material at x, y if the first feature had a course: 1 linear, 2 smoothstep, 3 power, 4 exponential, 5 periodic",
+    of: ({ dx, document }, course, material, ...at) => fractionAt(dx, withFeature(document, [0, 0], { course: Object.values(COURSES)[course - 1] }), material, at),
+  },
+  "by-limit": {
+    arguments: 4,
+    meaning: "fraction of a material at x, y if the first feature had a limit",
+    of: ({ dx, document }, to, material, ...at) => fractionAt(dx, withFeature(document, [0, 0], { to }), material, at),
+  },
+  "by-rule": { arguments: 4, meaning: "fraction of a material at x, y by a rule: 1 repaired, 2 depth, 3 printed", of: (question, rule, material, ...at) => byRule(question, rule, material)(/** @type {any} */ (at)) },
+  "least-by-rule": {
+    arguments: 6,
+    meaning: "least fraction of a material along the line from x, y to x, y by a rule",
+    of: (question, rule, material, ...line) => placesOf(line).map(byRule(question, rule, material)).filter(Number.isFinite).reduce((a, b) => Math.min(a, b), Infinity),
+  },
+  leaves: { arguments: 0, meaning: "leaves of the subdivision of a part", of: ({ dx, document }) => dx.part(document).leaves().length },
+  "grid-pixels": { arguments: 0, meaning: "pixels of a grid", of: (question) => gridOf(question).marks.features.length },
+  "row-number": { arguments: 2, meaning: "number of the pixel in a column and a row (from 1) after the rows", of: (question, x, y) => [gridOf(question)].map(({ marks, steps }) => steps.rows[(y - 1) * marks.size[0] + x - 1])[0] },
+  number: { arguments: 2, meaning: "number of that pixel at the end", of: (question, x, y) => [gridOf(question)].map(({ marks, steps }) => steps.levels[(y - 1) * marks.size[0] + x - 1])[0] },
+  parabolas: { arguments: 1, meaning: "pixels of a column (from 1) that have a number after the rows", of: (question, x) => [gridOf(question)].map(({ marks, steps }) => [...steps.rows].filter((level, n) => n % marks.size[0] === x - 1 && Number.isFinite(level)).length)[0] },
+  corners: { arguments: 1, meaning: "parabolas on the lower envelope of a column", of: (question, x) => gridOf(question).steps.columns[x - 1].corners.length },
+  searches: { arguments: 1, meaning: "searches of the scan in a column", of: (question, x) => gridOf(question).steps.columns[x - 1].searches.length },
+  allowed: { arguments: 1, meaning: "pixels that the bound of these searches allows; of all columns with 0", of: (question, x) => searched(question, x, "reach") },
+  compared: { arguments: 1, meaning: "pixels that they compare; of all columns with 0", of: (question, x) => searched(question, x, "count") },
+  "worst-at-centers": { arguments: 1, meaning: "largest error of digital distances of centres in edges, with so many pixels along a side", of: (question, pixels) => worstError(question, pixels, false).worst },
+  "worst-anywhere": { arguments: 1, meaning: "that of 25 places of each pixel", of: (question, pixels) => worstError(question, pixels, true).worst },
+  "worst-length": { arguments: 1, meaning: "that in the unit of the document", of: (question, pixels) => [worstError(question, pixels, true)].map(({ worst, edge }) => worst * edge)[0] },
   candidates: {
     arguments: 1,
     meaning: "size of V ∩ R there",

@@ -9,8 +9,8 @@ import { root } from "./paths.mjs";
 
 export const lessonFolder = join(root, "www/lessons");
 const presetFolder = join(root, "www/presets");
-/** Presets of bodies, whose names begin with that of their folder. */
-const BODIES = "hyperpatch";
+/** Folders of presets of other kinds, whose names begin with that of their folder. */
+const KINDS = ["hyperpatch", "part"];
 const STYLE = /\/katex\/dist\/katex\.css$/;
 const LESSON = /\/www\/lessons\/([^/?]+)\.md(\?head)?$/;
 /** Fonts of what lessons set; a browser fetches those that a formula on the page uses. */
@@ -18,8 +18,8 @@ const FONTS = /KaTeX_(Main-Regular|Main-Bold|Main-Italic|Math-Italic|AMS-Regular
 
 /** Names of the documents that figures of lessons may show: presets, and documents beside the lessons. */
 export async function documentNames() {
-  const [presets = [], own = [], bodies = []] = await Promise.all([presetFolder, lessonFolder, join(presetFolder, BODIES)].map((folder) => readdir(folder)));
-  return [...presets, ...own, ...bodies.map((file) => `${BODIES}-${file}`)]
+  const [presets = [], own = [], ...kinds] = await Promise.all([presetFolder, lessonFolder, ...KINDS.map((kind) => join(presetFolder, kind))].map((folder) => readdir(folder)));
+  return [...presets, ...own, ...kinds.flatMap((files, k) => files.map((file) => `${KINDS[k]}-${file}`))]
     .filter((file) => file.endsWith(".json") && file !== "index.json")
     .map((file) => basename(file, ".json"))
     .sort();
@@ -27,7 +27,8 @@ export async function documentNames() {
 
 /** @param {string} name */
 export async function documentNamed(name) {
-  const paths = [join(lessonFolder, name), join(presetFolder, name), join(presetFolder, BODIES, name.replace(`${BODIES}-`, ""))];
+  const kind = KINDS.find((each) => name.startsWith(`${each}-`));
+  const paths = [join(lessonFolder, name), join(presetFolder, name), ...(kind ? [join(presetFolder, kind, name.slice(kind.length + 1))] : [])];
   const texts = await Promise.allSettled(paths.map((path) => readFile(`${path}.json`, "utf8")));
   const found = texts.find((each) => each.status === "fulfilled");
   if (!found) throw new Error(`there is no document ${name}`);

@@ -21,6 +21,8 @@ import { FACTS } from "./lesson-facts.mjs";
 export const TERMS = {
   figure: ["first", "second", "lines", "line", "samples", "band", "stage", "stages", "normals", "faults"],
   body: ["coefficients", "coefficient", "corners", "inner", "net", "edges", "point", "through", "witness", "moving"],
+  part: ["features", "feature", "place", "section"],
+  grid: ["features", "pass", "wide"],
   steps: ["first", "second", "accepted", "visible", "valid", "candidates", "winner", "redundant", "bare", "moved"],
 };
 

@@ -7,7 +7,7 @@
  * @typedef {object} Figure
  * @property {string} document name of a preset, or of a document beside the lessons
  * @property {[string, unknown][]} changes of the document: path and value
- * @property {"figure" | "steps" | "body"} view
+ * @property {"figure" | "steps" | "body" | "part" | "grid"} view
  * @property {string[] | null} layers of the view `figure`; those of the document when null
  * @property {number | null} s place of the current in-between curve
  * @property {Moment | null} step of the view `steps`
@@ -21,7 +21,15 @@
  * @property {number | null} twist of the view `body`: degrees from bottom to top, to be changed
  * @property {"reflect" | "flat" | "natural" | null} rule of the view `body`: for the material of a row of four cells, to be changed
  * @property {number[] | null} shares of the second material before the middle joint of that row and at it
- * @property {typeof READINGS[number] | null} reading of the view `body`: what stands below it
+ * @property {typeof READINGS[keyof typeof READINGS][number] | null} reading of the views `body`, `part` and `grid`: what stands below it
+ * @property {[number, number] | null} place of the view `part`: x and y of the place that is read
+ * @property {[number, number, number, number] | null} line of the view `part`: both ends of the line along which compositions are shown
+ * @property {[number, number]} feature of the view `part`: number of the body and of its feature that can be changed
+ * @property {[number, number] | null} limit of the view `part`: least and greatest value of the limit of that feature, which a slider moves
+ * @property {boolean} courses of the view `part`: whether its course can be chosen
+ * @property {"repaired" | "depth" | "printed" | null} overlap of the view `part`: the rule of all bodies, which can then be chosen
+ * @property {number} pixels of the view `grid`: along its longer side
+ * @property {number | null} at of the view `grid`: the pass that is shown, counted in rows and then in columns
  * @property {"full" | "minimal" | "none"} controls
  * @property {string} caption HTML
  * @property {string} alt what the picture shows, in plain words
@@ -57,14 +65,32 @@ import { escaped, mathematics, prose } from "./lesson-text.mjs";
 const LESSON_FIELDS = ["group", "order", "summary"];
 /** Fields of figures of the view `body`. */
 const BODY_FIELDS = ["cell", "without", "net", "point", "coefficient", "reach", "by", "twist", "rule", "shares", "reading"];
-const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", ...BODY_FIELDS, "controls", "set", "caption", "alt"];
-const READINGS = /** @type {const} */ (["weights", "material", "jacobian", "certificate", "cone", "meeting", "joints", "gap", "row", "amounts"]);
+/** Fields of figures of the views `part` and `grid`. */
+const PART_FIELDS = ["place", "line", "feature", "limit", "courses", "overlap"];
+const GRID_FIELDS = ["pixels", "at"];
+const VIEW_FIELDS = new Set([...BODY_FIELDS, ...PART_FIELDS, ...GRID_FIELDS]);
+const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", ...VIEW_FIELDS, "controls", "set", "caption", "alt"];
+/** What can stand below figures of a view. */
+const READINGS = /** @type {const} */ ({
+  body: ["weights", "material", "jacobian", "certificate", "cone", "meeting", "joints", "gap", "row", "amounts"],
+  part: ["along", "rules"],
+  grid: ["envelope", "scan", "error"],
+});
+/** Of the views that show documents of another kind than curves: how names of these begin. */
+const FOLDERS = /** @type {const} */ ({ body: "hyperpatch-", part: "part-", grid: "part-" });
 const LAYERS = [
   ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
   "isoComposition",
 ];
 /** Fields that belong to figures of one view, with that view. */
-const OWN_FIELDS = [["layers", "figure"], ["s", "figure"], ["step", "steps"], ...BODY_FIELDS.map((name) => [name, "body"])];
+const OWN_FIELDS = [
+  ["layers", "figure"],
+  ["s", "figure"],
+  ["step", "steps"],
+  ...BODY_FIELDS.filter((name) => name !== "reading").map((name) => [name, "body"]),
+  ...PART_FIELDS.map((name) => [name, "part"]),
+  ...GRID_FIELDS.map((name) => [name, "grid"]),
+];
 /** Paths of a document that `set` may change. */
 const PATH = /^(sampling|matching|blend|curves\.[01])\.[a-zA-Z]+$/;
 
@@ -243,16 +269,22 @@ function readFigure(fields, base, documents, facts, refuse) {
   };
   const document = required("figure");
   if (!documents.includes(document.value)) refuse(document.at, "figure", `there is no document "${document.value}"; there are: ${documents.join(", ")}`);
-  const view = oneOf("view", /** @type {const} */ (["figure", "steps", "body"]), "figure");
+  const view = oneOf("view", /** @type {const} */ (["figure", "steps", "body", "part", "grid"]), "figure");
   for (const [name, needed] of OWN_FIELDS) {
     const given = of(name);
     if (given && view !== needed) refuse(given.at, name, `belongs to figures of the view ${needed}`);
   }
-  if (view === "body") {
-    if (!document.value.startsWith("hyperpatch-")) refuse(document.at, "figure", `"${document.value}" is no body: their names begin with hyperpatch-`);
+  const folder = view === "figure" || view === "steps" ? null : FOLDERS[view];
+  if (folder !== null) {
+    if (!document.value.startsWith(folder)) refuse(document.at, "figure", `the view ${view} shows documents whose names begin with ${folder}, not "${document.value}"`);
     const change = of("set");
-    if (change) refuse(change.at, "set", "changes curves; a figure of the view body shows its document as it is");
-  } else if (document.value.startsWith("hyperpatch-")) refuse(document.at, "figure", `"${document.value}" is a body, which the view body shows`);
+    if (change) refuse(change.at, "set", `changes curves; a figure of the view ${view} shows its document as it is`);
+  } else {
+    const other = Object.entries(FOLDERS).find(([, start]) => document.value.startsWith(start));
+    if (other) refuse(document.at, "figure", `"${document.value}" is no document of curves; the view ${other[0]} shows it`);
+  }
+  const reading = of("reading");
+  if (reading && folder === null) refuse(reading.at, "reading", `belongs to figures of the views ${Object.keys(READINGS).join(", ")}`);
   /** @param {string} name @param {number} count @param {(value: number) => boolean} fits @param {string} expected @returns {number[] | null} */
   const numbers = (name, count, fits, expected) => {
     const given = of(name);
@@ -292,7 +324,15 @@ function readFigure(fields, base, documents, facts, refuse) {
     shares: numbers("shares", 2, isShare, "two fractions from 0 to 1, with a blank between them"),
     point: three("point", isShare, "u, v and w, each from 0 to 1, with a blank between them"),
     coefficient: three("coefficient", (value) => Number.isInteger(value) && value >= 0 && value <= 3, "i, j and k, each 0, 1, 2 or 3, with a blank between them"),
-    reading: oneOf("reading", READINGS, null),
+    reading: oneOf("reading", view === "figure" || view === "steps" ? [] : READINGS[view], null),
+    place: /** @type {[number, number] | null} */ (numbers("place", 2, Number.isFinite, "x and y with a blank between them")),
+    line: /** @type {[number, number, number, number] | null} */ (numbers("line", 4, Number.isFinite, "x and y of both ends with blanks between them")),
+    feature: /** @type {[number, number]} */ (numbers("feature", 2, (value) => Number.isInteger(value) && value >= 0, "numbers of a body and of its feature, from 0") ?? [0, 0]),
+    limit: /** @type {[number, number] | null} */ (numbers("limit", 2, (value) => value > 0, "least and greatest value, above 0, with a blank between them")),
+    courses: oneOf("courses", /** @type {const} */ (["choose"]), null) !== null,
+    overlap: oneOf("overlap", /** @type {const} */ (["repaired", "depth", "printed"]), null),
+    pixels: numbers("pixels", 1, (value) => Number.isInteger(value) && value >= 4 && value <= 64, "a whole number from 4 to 64")?.[0] ?? 16,
+    at: numbers("at", 1, (value) => Number.isInteger(value) && value >= 0, "a number of rows, and then of columns")?.[0] ?? null,
     controls: oneOf("controls", /** @type {const} */ (["full", "minimal", "none"]), "minimal"),
     caption: told.html,
     alt: escaped(alt) === alt ? alt : refuse(of("alt")?.at ?? base, "alt", "is plain text, without < > & and quotation marks"),

@@ -1,7 +1,7 @@
 //! What a distance transform is asked for.
 
 use super::{Code, DocumentError, Json, Node};
-use crate::field::transform::{DistanceJob, TransformError};
+use crate::field::transform::{DistanceJob, MOST_TRACED, Trace, TransformError, trace};
 use crate::field::{Grid, GridError, MOST_VOXELS};
 
 /// Longest spacing, and the reciprocal of the shortest: beyond, squares leave what numbers can hold.
@@ -62,6 +62,37 @@ impl TransformOptions {
             DocumentError::new(Code::Range, path.to_owned(), error.to_string())
         })
     }
+
+    /// Follows the transform of features in the plane, in pixels.
+    ///
+    /// # Errors
+    /// When there are several layers, more than [`MOST_TRACED`] pixels, unequal spacings, a limit, or another number of features than of pixels.
+    pub fn trace(&self, features: &[u8]) -> Result<Trace, DocumentError> {
+        let refuse =
+            |code: Code, path: &str, message: String| Err(DocumentError::new(code, path.to_owned(), message));
+        let count = self.grid.count();
+        if self.grid.size()[2] > 1 {
+            return refuse(
+                Code::Range,
+                "size",
+                "expected one layer, which is what can be watched".to_owned(),
+            );
+        }
+        if count > MOST_TRACED {
+            return refuse(Code::Limit, "size", format!("{count} pixels; expected {MOST_TRACED} at most"));
+        }
+        if self.grid.common_spacing().is_none() {
+            return refuse(Code::Range, "spacing", "expected the same along both axes".to_owned());
+        }
+        if let Some(limit) = self.limit {
+            return refuse(Code::Range, "limit", format!("{limit} was found; expected none"));
+        }
+        if features.len() != count {
+            let error = TransformError::Length { found: features.len(), expected: count };
+            return refuse(Code::Range, "features", error.to_string());
+        }
+        Ok(trace(&self.grid, features))
+    }
 }
 
 #[cfg(test)]
@@ -98,5 +129,22 @@ mod tests {
         assert_eq!(refused(json!({"size": [4, 4], "depth": 1})), (Code::UnknownField, "depth".into()));
         let error = read(json!({"size": [4, 4]})).unwrap().start(&[0; 15]).unwrap_err();
         assert_eq!((error.code, error.path.as_str()), (Code::Range, "features"));
+    }
+
+    #[test]
+    fn only_a_small_plane_of_square_pixels_can_be_watched() {
+        let refused = |value: Value, count: usize| {
+            let error = read(value).unwrap().trace(&vec![0; count]).unwrap_err();
+            (error.code, error.path)
+        };
+        assert_eq!(refused(json!({"size": [4, 4, 2]}), 32), (Code::Range, "size".into()));
+        assert_eq!(refused(json!({"size": [129, 128]}), 129 * 128), (Code::Limit, "size".into()));
+        assert_eq!(refused(json!({"size": [4, 4], "spacing": [1, 2]}), 16), (Code::Range, "spacing".into()));
+        assert_eq!(refused(json!({"size": [4, 4], "limit": 2}), 16), (Code::Range, "limit".into()));
+        assert_eq!(refused(json!({"size": [4, 4]}), 15), (Code::Range, "features".into()));
+        assert_eq!(
+            read(json!({"size": [128, 128]})).unwrap().trace(&[0; 1 << 14]).unwrap().columns.len(),
+            128
+        );
     }
 }

@@ -267,6 +267,54 @@ mod tests {
         assert!(mixed(&overlap, &[1.2, 1.1]).iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15));
     }
 
+    /// Over profiles and distances at random: what holds everywhere.
+    #[test]
+    fn any_profiles_share_convexly_in_any_order_and_are_whole_on_their_own_features() {
+        let mut state = 362_436_069_u64;
+        let mut random = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for round in 0..400 {
+            let count = 2 + round % 4;
+            let made: Vec<DistanceProfile> = (0..count)
+                .map(|k| {
+                    let from = if random() < 0.3 { 5.0 * random() } else { 0.0 };
+                    let to = from + 0.5 + 30.0 * random();
+                    if random() < 0.3 {
+                        constant(k % 2, to)
+                    } else {
+                        profile(
+                            k % 2,
+                            from,
+                            to,
+                            [Course::Linear, Course::Smoothstep, Course::Power(0.5 + random())][k % 3]
+                                .clone(),
+                        )
+                    }
+                })
+                .collect();
+            let mut distances: Vec<f64> = (0..count).map(|_| 0.2 + 12.0 * random()).collect();
+            let turned: Vec<DistanceProfile> = made.iter().rev().cloned().collect();
+            for rule in [Rule::Repaired, Rule::Depth] {
+                let found = mixed(&of(rule, made.clone()), &distances);
+                let back: Vec<f64> = distances.iter().rev().copied().collect();
+                let other = mixed(&of(rule, turned.clone()), &back);
+                assert!(found.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-12), "{rule:?}, {round}");
+            }
+            let own = round % count;
+            if made[own].from() == 0.0 {
+                distances[own] = 0.0;
+                let found = mixed(&of(Rule::Repaired, made.clone()), &distances);
+                let mut expected = [0.0; 3];
+                made[own].fractions(0.0, &mut expected);
+                assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-5), "{round}: {found:?}");
+            }
+        }
+    }
+
     #[test]
     fn the_leaf_names_the_bands_that_hold_the_point() {
         let overlap = of(

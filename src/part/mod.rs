@@ -3,7 +3,10 @@
 //! A [`Shape`] is reference geometry in the plane, with exact distances. A [`Body`] is a [`Region`] with [`Feature`]s whose profiles an
 //! [`Overlap`](crate::field::Overlap) composes. [`RasterJob`] evaluates a part on pixels in tiles; a point is evaluated without a grid.
 
+mod archive;
+mod blue_noise;
 mod body;
+mod dither;
 mod frame;
 mod isolines;
 mod paint;
@@ -15,6 +18,7 @@ mod shape;
 mod writer;
 
 pub use body::{Body, Composing, Feature, Part, Place, Region};
+pub use dither::Dither;
 pub use frame::{Frame, FrameError, MOST_MEMORY, MOST_PIXELS, MOST_PRINTED_PIXELS};
 pub use isolines::{PartIsoline, isolines};
 pub use paint::Palette;

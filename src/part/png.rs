@@ -53,11 +53,13 @@ fn chunk(name: &[u8; 4], data: &[u8], bytes: &mut Vec<u8>) {
     let start = bytes.len();
     bytes.extend(name);
     bytes.extend_from_slice(data);
-    let crc = bytes[start..].iter().fold(u32::MAX, |crc, byte| {
-        let n = (crc ^ u32::from(*byte)) & 0xff;
-        TABLE[n as usize] ^ (crc >> 8)
-    });
-    bytes.extend((!crc).to_be_bytes());
+    let sum = crc(u32::MAX, &bytes[start..]);
+    bytes.extend((!sum).to_be_bytes());
+}
+
+/// Goes on with a cyclic redundancy check, which starts with all bits set and is read with all bits turned.
+pub(super) fn crc(sum: u32, bytes: &[u8]) -> u32 {
+    bytes.iter().fold(sum, |sum, byte| TABLE[((sum ^ u32::from(*byte)) & 0xff) as usize] ^ (sum >> 8))
 }
 
 /// Remainders of single bytes.

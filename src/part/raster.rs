@@ -173,7 +173,7 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
             if index >= bodies {
                 (tile, index) = (tile + 1, 0);
             }
-            if tile >= count {
+            if tile >= count || bodies == 0 {
                 return Stage::Printing(0, None);
             }
             if self.compose(tile, index) {
@@ -306,6 +306,7 @@ mod tests {
     use super::super::{Feature, Path, Reference, Region, Shape};
     use super::*;
     use crate::field::{Course, DistanceProfile, Expression, Overlap, Rule};
+    use crate::geom::Bounds;
     use crate::material::Composition;
     use std::rc::Rc;
 
@@ -353,6 +354,17 @@ mod tests {
         let parts =
             vec![(a, profile(0, 0.0, 30.0, Course::Linear)), (b, profile(1, 0.0, 30.0, Course::Linear))];
         part(vec![body(rectangle(100.0, 60.0), Vec::new(), rule, parts)])
+    }
+
+    /// Also over many tiles, as a page asks for it of a new document.
+    #[test]
+    fn a_part_without_bodies_is_empty_everywhere() {
+        let bounds = Bounds { min: DVec2::ZERO, max: dvec2(4.0, 3.0) };
+        let nothing = part(Vec::new());
+        let frame = Frame::new(bounds, [200, 150]).expect("a frame");
+        let found = RasterJob::new(&nothing, frame).expect("a job").run();
+        assert!(found.body.iter().all(|number| *number == 0));
+        assert!(found.fractions.iter().flatten().all(|fraction| *fraction == 0.0));
     }
 
     /// Tiles, narrowed candidates and skipped bands give what every pixel by itself gives.

@@ -1,7 +1,9 @@
 //! Rasters as files.
 
+use super::archive::Archive;
+use super::dither::{Dithering, EMPTY};
 use super::png::{LONGEST_ROW, PngRows};
-use super::{Palette, Raster};
+use super::{Dither, Palette, Raster};
 use std::fmt::Write;
 
 /// What a raster is written as.
@@ -14,13 +16,21 @@ pub enum PartFormat {
     /// "Nearly raw raster data" (teem): x, y, material.
     Nrrd,
     /// A picture of the colours.
-    Png,
+    Png {
+        /// Whether each pixel has the colour of one material, and how.
+        dither: Option<Dither>,
+    },
     /// A grey picture of the fraction of one material, from 0 to 255.
     Slice {
         /// Index of the material.
         material: usize,
-        /// Whether each pixel has all of it or nothing, by error diffusion.
-        is_dithered: bool,
+        /// Whether each pixel has all of it or nothing. Slices of all materials together have every pixel of a body once.
+        dither: Option<Dither>,
+    },
+    /// A ZIP archive with such a picture of each material.
+    Slices {
+        /// As of a slice.
+        dither: Option<Dither>,
     },
 }
 
@@ -29,8 +39,15 @@ impl PartFormat {
     #[must_use]
     pub fn widest(self) -> usize {
         match self {
-            Self::Png => (LONGEST_ROW - 1) / 4,
+            Self::Png { .. } => (LONGEST_ROW - 1) / 4,
             _ => LONGEST_ROW - 1,
+        }
+    }
+
+    fn dither(self) -> Option<Dither> {
+        match self {
+            Self::Png { dither } | Self::Slice { dither, .. } | Self::Slices { dither } => dither,
+            _ => None,
         }
     }
 }
@@ -44,9 +61,10 @@ pub struct Writer {
     bytes: Vec<u8>,
     /// Rows that are written; of formats with a block for each material, one block after the other.
     next: usize,
+    /// The picture that is under way, and its dithering.
     rows: Option<PngRows>,
-    /// Errors that the rows above left to this row and to the next one.
-    errors: [Vec<f32>; 2],
+    dithering: Option<Dithering>,
+    archive: Archive,
 }
 
 impl Writer {
@@ -54,33 +72,23 @@ impl Writer {
     #[must_use]
     pub fn new(format: PartFormat, raster: &Raster, names: Vec<String>, palette: Palette) -> Self {
         let mut bytes = Vec::new();
-        let size = raster.frame.size();
-        let rows = match format {
+        match format {
             PartFormat::Csv => {
                 bytes.extend(format!("x,y,body,leaf,{}\n", quoted(&names).join(",")).bytes());
-                None
             }
-            PartFormat::Vti => {
-                bytes.extend(vti_header(raster, &names).bytes());
-                None
-            }
-            PartFormat::Nrrd => {
-                bytes.extend(nrrd_header(raster, &names).bytes());
-                None
-            }
-            PartFormat::Png => Some(PngRows::start(size, 4, &mut bytes)),
-            PartFormat::Slice { .. } => Some(PngRows::start(size, 1, &mut bytes)),
-        };
-        // Two more on each side spare the ends a case of their own.
-        let errors = [vec![0.0; size[0] + 2], vec![0.0; size[0] + 2]];
-        Self { format, names, palette, bytes, next: 0, rows, errors }
+            PartFormat::Vti => bytes.extend(vti_header(raster, &names).bytes()),
+            PartFormat::Nrrd => bytes.extend(nrrd_header(raster, &names).bytes()),
+            PartFormat::Png { .. } | PartFormat::Slice { .. } | PartFormat::Slices { .. } => {}
+        }
+        let archive = Archive::default();
+        Self { format, names, palette, bytes, next: 0, rows: None, dithering: None, archive }
     }
 
     /// Rows of all blocks.
     fn count(&self, raster: &Raster) -> usize {
         let blocks = match self.format {
             PartFormat::Vti => self.names.len() + 1,
-            PartFormat::Nrrd => self.names.len(),
+            PartFormat::Nrrd | PartFormat::Slices { .. } => self.names.len(),
             _ => 1,
         };
         blocks * raster.frame.size()[1]
@@ -99,8 +107,10 @@ impl Writer {
         if self.next < count {
             return None;
         }
-        if self.format == PartFormat::Vti {
-            self.bytes.extend(*b"\n</AppendedData>\n</VTKFile>\n");
+        match self.format {
+            PartFormat::Vti => self.bytes.extend(*b"\n</AppendedData>\n</VTKFile>\n"),
+            PartFormat::Slices { .. } => self.archive.finish(&mut self.bytes),
+            _ => {}
         }
         Some(std::mem::take(&mut self.bytes))
     }
@@ -116,7 +126,6 @@ impl Writer {
         let (block, row) = (self.next / ny, self.next % ny);
         // Grids of VTK and NRRD have y upwards.
         let upwards = (ny - 1 - row) * nx..(ny - row) * nx;
-        let downwards = row * nx..(row + 1) * nx;
         match self.format {
             PartFormat::Csv => self.csv_row(raster, row),
             PartFormat::Vti => {
@@ -130,26 +139,38 @@ impl Writer {
                 }
             }
             PartFormat::Nrrd => self.floats(&raster.fractions[block][upwards]),
-            PartFormat::Png => {
-                let pixel = |at: usize| {
-                    if raster.body[at] == 0 {
-                        return [0; 4];
-                    }
-                    let [r, g, b] = self.palette.color(raster.fractions.iter().map(|list| list[at]));
-                    [r, g, b, u8::MAX]
-                };
-                let row: Vec<u8> = downwards.flat_map(pixel).collect();
+            PartFormat::Png { .. } => {
+                self.start_picture(raster, row, 4);
+                let row = self.colors(raster, row);
                 self.picture_row(&row);
             }
-            PartFormat::Slice { material, is_dithered } => {
-                let fractions = &raster.fractions[material][downwards];
-                let row = if is_dithered {
-                    self.dithered(fractions)
-                } else {
-                    fractions.iter().map(|fraction| (255.0 * fraction).round() as u8).collect()
-                };
+            PartFormat::Slice { material, .. } => {
+                self.start_picture(raster, row, 1);
+                let row = self.slice(raster, row, material);
                 self.picture_row(&row);
             }
+            PartFormat::Slices { .. } => {
+                if row == 0 {
+                    let name = format!("{} {}.png", block + 1, file_name(&self.names[block]));
+                    self.archive.start(name, &mut self.bytes);
+                }
+                self.start_picture(raster, row, 1);
+                let bytes = self.slice(raster, row, block);
+                self.picture_row(&bytes);
+                self.archive.sum(&self.bytes);
+                if row + 1 == ny {
+                    self.archive.end(&mut self.bytes);
+                }
+            }
+        }
+    }
+
+    /// Before its first row.
+    fn start_picture(&mut self, raster: &Raster, row: usize, channels: usize) {
+        if row == 0 {
+            let size = raster.frame.size();
+            self.rows = Some(PngRows::start(size, channels, &mut self.bytes));
+            self.dithering = self.format.dither().map(|kind| Dithering::new(kind, self.names.len(), size[0]));
         }
     }
 
@@ -159,23 +180,44 @@ impl Writer {
         }
     }
 
-    /// A row of all or nothing (R. Floyd and L. Steinberg, "An adaptive algorithm for spatial greyscale", 1976). Empty pixels stay empty and take no errors on.
-    fn dithered(&mut self, fractions: &[f32]) -> Vec<u8> {
-        let [here, below] = &mut self.errors;
-        below.fill(0.0);
-        let mut row = Vec::with_capacity(fractions.len());
-        for (i, fraction) in fractions.iter().enumerate() {
-            let wanted = fraction + here[i + 1];
-            let is_on = *fraction > 0.0 && wanted >= 0.5;
-            let error = if *fraction > 0.0 { wanted - if is_on { 1.0 } else { 0.0 } } else { 0.0 };
-            here[i + 2] += error * 7.0 / 16.0;
-            below[i] += error * 3.0 / 16.0;
-            below[i + 1] += error * 5.0 / 16.0;
-            below[i + 2] += error * 1.0 / 16.0;
-            row.push(if is_on { u8::MAX } else { 0 });
+    /// Red, green, blue and alpha of a row.
+    fn colors(&mut self, raster: &Raster, row: usize) -> Vec<u8> {
+        let nx = raster.frame.size()[0];
+        if let Some(dithering) = &mut self.dithering {
+            let pure = |material: usize| {
+                let fractions = (0..self.names.len()).map(|k| if k == material { 1.0 } else { 0.0 });
+                self.palette.color(fractions)
+            };
+            let pures: Vec<[u8; 3]> = (0..self.names.len()).map(pure).collect();
+            let pixel = |material: u8| {
+                let color = pures.get(usize::from(material));
+                color.map_or([0; 4], |[r, g, b]| [*r, *g, *b, u8::MAX])
+            };
+            return dithering.row(raster, row).into_iter().flat_map(pixel).collect();
         }
-        self.errors.swap(0, 1);
-        row
+        let pixel = |at: usize| {
+            if raster.body[at] == 0 {
+                return [0; 4];
+            }
+            let [r, g, b] = self.palette.color(raster.fractions.iter().map(|list| list[at]));
+            [r, g, b, u8::MAX]
+        };
+        (row * nx..(row + 1) * nx).flat_map(pixel).collect()
+    }
+
+    /// How much there is of a material in a row.
+    fn slice(&mut self, raster: &Raster, row: usize, material: usize) -> Vec<u8> {
+        if let Some(dithering) = &mut self.dithering {
+            let is_on = |found: u8| found != EMPTY && usize::from(found) == material;
+            return dithering
+                .row(raster, row)
+                .into_iter()
+                .map(|found| if is_on(found) { u8::MAX } else { 0 })
+                .collect();
+        }
+        let nx = raster.frame.size()[0];
+        let fractions = &raster.fractions[material][row * nx..(row + 1) * nx];
+        fractions.iter().map(|fraction| (255.0 * fraction).round() as u8).collect()
     }
 
     fn floats(&mut self, values: &[f32]) {
@@ -212,6 +254,12 @@ fn quoted(names: &[String]) -> Vec<String> {
         }
     };
     names.iter().map(quote).collect()
+}
+
+/// A name without what names of files must not have.
+fn file_name(name: &str) -> String {
+    let is_taken = |sign: char| sign.is_control() || "/\\:*?\"<>|".contains(sign);
+    name.chars().map(|sign| if is_taken(sign) { '_' } else { sign }).collect()
 }
 
 fn vti_header(raster: &Raster, names: &[String]) -> String {
@@ -342,18 +390,72 @@ mod tests {
             reader.next_frame(&mut found).expect("pixels");
             found
         };
-        let colors = read(PartFormat::Png, &raster());
+        let colors = read(PartFormat::Png { dither: None }, &raster());
         assert_eq!((colors.len(), colors[3], colors[7]), (48, 0, 255));
-        let slice = read(PartFormat::Slice { material: 0, is_dithered: false }, &raster());
+        let slice = read(PartFormat::Slice { material: 0, dither: None }, &raster());
         assert_eq!((slice[0], slice[11]), (0, 175));
         let frame = Frame::new(Bounds { min: dvec2(0.0, 0.0), max: dvec2(1.0, 1.0) }, [64, 64]).unwrap();
-        for fraction in [0.1_f32, 0.5, 0.83] {
+        for (fraction, kind) in
+            [(0.1_f32, Dither::Diffusion), (0.5, Dither::BlueNoise), (0.83, Dither::Diffusion)]
+        {
             let fractions = vec![vec![fraction; 4096], vec![1.0 - fraction; 4096]];
             let even = Raster { frame, body: vec![1; 4096], fractions, leaves: vec![0; 4096] };
-            let slice = read(PartFormat::Slice { material: 0, is_dithered: true }, &even);
+            let slice = read(PartFormat::Slice { material: 0, dither: Some(kind) }, &even);
             assert!(slice.iter().all(|value| [0, 255].contains(value)));
             let mean = slice.iter().filter(|value| **value == 255).count() as f32 / 4096.0;
             assert!((mean - fraction).abs() < 0.01, "{mean} of {fraction}");
+        }
+    }
+
+    /// Every pixel of a body is in one slice, and the dithered picture has its colour.
+    #[test]
+    fn slices_of_all_materials_have_every_pixel_once() {
+        let decoded = |bytes: &[u8]| {
+            let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a header");
+            let mut found = vec![0; reader.output_buffer_size().expect("a size")];
+            reader.next_frame(&mut found).expect("pixels");
+            found
+        };
+        for kind in [Dither::Diffusion, Dither::BlueNoise] {
+            let archive = written(PartFormat::Slices { dither: Some(kind) }, &raster());
+            let colors = decoded(&written(PartFormat::Png { dither: Some(kind) }, &raster()));
+            let slices: Vec<Vec<u8>> = (0..2)
+                .map(|material| written(PartFormat::Slice { material, dither: Some(kind) }, &raster()))
+                .collect();
+            for slice in &slices {
+                assert!(archive.windows(slice.len()).any(|part| part == slice.as_slice()), "{kind:?}");
+            }
+            let slices: Vec<Vec<u8>> = slices.iter().map(|bytes| decoded(bytes)).collect();
+            for at in 0..12 {
+                let held: Vec<u8> = slices.iter().map(|slice| slice[at]).collect();
+                let expected: &[u8] = if held[0] == 255 { &[0, 0, 0, 255] } else { &[255; 4] };
+                match at {
+                    0 => assert_eq!((held, &colors[..4]), (vec![0, 0], &[0; 4][..])),
+                    _ => {
+                        assert_eq!(held.iter().map(|value| u32::from(*value)).sum::<u32>(), 255);
+                        assert_eq!(&colors[4 * at..4 * at + 4], expected);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_archive_has_a_directory_with_names_lengths_and_sums() {
+        let bytes = written(PartFormat::Slices { dither: None }, &raster());
+        let number = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+        let end = bytes.len() - 22;
+        assert_eq!((&bytes[end..end + 4], bytes[end + 10]), (&b"PK\x05\x06"[..], 2));
+        let mut at = number(end + 16);
+        assert_eq!(at + number(end + 12), end);
+        for (k, name) in ["1 a_b.png", "2 x, y.png"].into_iter().enumerate() {
+            assert_eq!(&bytes[at + 46..at + 46 + name.len()], name.as_bytes());
+            let (start, length) = (number(at + 42) + 30 + name.len(), number(at + 20));
+            let slice = written(PartFormat::Slice { material: k, dither: None }, &raster());
+            assert_eq!(bytes[start..start + length], slice[..]);
+            assert_eq!(number(at + 16) as u32, !crate::part::png::crc(u32::MAX, &slice));
+            assert_eq!(bytes[number(at + 42) + 6..start - name.len()], bytes[at + 8..at + 34][..24]);
+            at += 46 + name.len();
         }
     }
 }

@@ -5,8 +5,9 @@ use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
 use crate::document::{DocumentError, TransformOptions};
-use crate::field::transform::DistanceJob;
-use js_sys::Float32Array;
+use crate::field::transform::{ColumnTrace, DistanceJob, Search};
+use js_sys::{Float32Array, Object, Reflect};
+use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 /// A transform under way.
@@ -22,6 +23,50 @@ impl Engine {
             .and_then(|options| TransformOptions::read(&options))
             .and_then(start)
             .map_err(|e: DocumentError| to_js(&e))
+    }
+
+    /// The transform in the plane as it can be watched, from the same options and features.
+    #[wasm_bindgen(js_name = transformSteps)]
+    pub fn transform_steps(&self, options: &str, features: &[u8]) -> Result<JsValue, JsValue> {
+        let found = parse(options)
+            .and_then(|options| TransformOptions::read(&options))
+            .and_then(|options| options.trace(features))
+            .map_err(|error| to_js(&error))?;
+        let bag = Object::new();
+        let set = |name: &str, value: &JsValue| Reflect::set(&bag, &name.into(), value);
+        set("rows", &Float32Array::from(found.rows.as_slice()).into())?;
+        set("levels", &Float32Array::from(found.levels.as_slice()).into())?;
+        let columns: Vec<Column> = found.columns.iter().map(Column::new).collect();
+        set("columns", &serde_wasm_bindgen::to_value(&columns)?)?;
+        Ok(bag.into())
+    }
+}
+
+/// What happens in a column.
+#[derive(Serialize)]
+struct Column<'a> {
+    corners: &'a [usize],
+    searches: Vec<Row>,
+}
+
+/// A search along a column.
+#[derive(Serialize)]
+struct Row {
+    from: usize,
+    forward: bool,
+    reach: usize,
+    count: usize,
+}
+
+impl<'a> Column<'a> {
+    fn new(column: &'a ColumnTrace) -> Self {
+        let row = |search: &Search| Row {
+            from: search.from,
+            forward: search.is_forward,
+            reach: search.reach,
+            count: search.count,
+        };
+        Self { corners: &column.corners, searches: column.searches.iter().map(row).collect() }
     }
 }
 

@@ -10,7 +10,6 @@ import { labsFor, relativeJacobian, viridis } from "../../www/src/hyperpatch/col
 import { cellsIn, cellsOf } from "../../www/src/hyperpatch/document.js";
 import { moved, placeOfCorner } from "../../www/src/hyperpatch/edits.js";
 import { jointsOf } from "../../www/src/hyperpatch/joints.js";
-import { isBody } from "../../www/src/hyperpatch/kind.js";
 import { neighboursOf } from "../../www/src/hyperpatch/neighbours.js";
 import { boundsOf, neighbour, sharedCorner } from "../../www/src/hyperpatch/state.js";
 
@@ -68,9 +67,7 @@ test("colours are the kernel's, those of one fraction, or those of each cell", (
   assert.equal(relativeJacobian({ leastJacobianBound: -3 }, -6), -0.5);
 });
 
-test("kinds and boxes", () => {
-  assert.equal(isBody(block), true);
-  assert.equal(isBody({ kind: "curves" }), false);
+test("boxes", () => {
   assert.deepEqual(boundsOf([1, 2, 3, -1, 5, 0]), { min: [-1, 2, 0], max: [1, 5, 3] });
 });
 

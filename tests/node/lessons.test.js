@@ -22,7 +22,7 @@ const sources = new Map(await Promise.all(names.map(async (name) => /** @type {c
 const lessonNamed = (name) => readLesson(name, sources.get(name) ?? "", documents);
 
 test("there are lessons, each with a place of its own in the list", () => {
-  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity"]) assert.ok(names.includes(name), name);
+  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error"]) assert.ok(names.includes(name), name);
   const orders = names.map((name) => lessonNamed(name).lesson.order);
   assert.equal(new Set(orders).size, names.length);
 });
@@ -33,8 +33,13 @@ for (const name of names) {
     let count = 0;
     for (const [k, { title, figure }] of lesson.steps.entries()) {
       const source = figureDocument(await documentNamed(figure.document), figure);
-      const document = figure.view === "body" ? source : dx.defaults(source);
-      if (figure.view === "body") assert.ok(dx.hyperpatch(/** @type {any} */ (document)).cells.length > figure.cell, `${name}, step ${k + 1}: the body of the figure has the cell ${figure.cell}`);
+      const isOfCurves = figure.view === "figure" || figure.view === "steps";
+      const document = isOfCurves ? dx.defaults(source) : source;
+      if (figure.view === "part" || figure.view === "grid") {
+        const part = dx.part(/** @type {any} */ (document));
+        assert.deepEqual(part.diagnostics, [], `${name}, step ${k + 1}`);
+        assert.ok(part.bodies[figure.feature[0]]?.features[figure.feature[1]]?.active, `${name}, step ${k + 1}: the part has the feature ${figure.feature}`);
+      } else if (figure.view === "body") assert.ok(dx.hyperpatch(/** @type {any} */ (document)).cells.length > figure.cell, `${name}, step ${k + 1}: the body of the figure has the cell ${figure.cell}`);
       else if (figure.view === "steps") {
         const steps = dx.steps(document);
         const { phase, index = 1 } = figure.step ?? {};

@@ -10,8 +10,9 @@
  * @param {unknown} raw
  */
 export async function completed(kernel, raw) {
-  if (typeof raw === "object" && raw && "kind" in raw && raw.kind === "hyperpatch") {
-    return (await import("./hyperpatch/document.js")).completedBody(kernel, /** @type {any} */ (raw));
+  if (typeof raw === "object" && raw && "kind" in raw && raw.kind !== "curves") {
+    const kind = await (await import("./kinds/kinds.js")).kindOf(raw);
+    if (kind) return kind.completed(kernel, raw);
   }
   const checked = /** @type {CurvesDocument} */ (raw);
   return /** @type {CurvesDocument} */ (await kernel.defaults(checked));

@@ -18,7 +18,6 @@ import { createStatus } from "./frame/status.js";
 import { currentTheme, followSystem } from "./frame/theme.js";
 import { workbenchOf } from "./frame/workbench.js";
 import { firstPreset } from "./gallery/first.js";
-import { isBody } from "./hyperpatch/kind.js";
 import { createInspector, FIRST_OPEN } from "./inspector/inspector.js";
 import { later } from "./later.js";
 import { createPainter, problem } from "./painter.js";
@@ -34,6 +33,7 @@ import { createZoom, fit } from "./stage/zoom.js";
 import { NO_RESULTS } from "./state/app.js";
 import { find } from "./dom.js";
 import { keyWithin } from "./state/composition.js";
+import { isCurves } from "./state/kind.js";
 import { Record } from "./state/record.js";
 import { only, within } from "./state/selection.js";
 import { keep, restore, takeHash } from "./state/session.js";
@@ -42,6 +42,12 @@ import { createKeeper } from "./storage/keeper.js";
 import { strings } from "./strings.js";
 
 const root = document.documentElement;
+
+/** The workbenches of documents that are not of curves, by their kind. @type {{[kind: string]: () => Promise<(app: App) => import("./later.js").Part>}} */
+const BENCHES = {
+  hyperpatch: () => import("./hyperpatch/hyperpatch.js").then(({ createHyperpatch }) => createHyperpatch),
+  part: () => import("./part/part.js").then(({ createPart }) => createPart),
+};
 
 /** @returns {Promise<void>} */
 async function start() {
@@ -179,10 +185,10 @@ function run(app) {
   createSheet(bar.panel);
   /** What shows curves, made when the first ones are open. @type {ReturnType<typeof createCurves> | null} */
   let curves = null;
-  /** The workbench of bodies could not be loaded. */
-  let isBroken = false;
+  /** Kinds whose workbench could not be loaded. @type {string[]} */
+  const broken = [];
   const after = later(app, () => true, () => import("./after/after.js").then(({ createAfter }) => createAfter));
-  /** What belongs to curves and bodies alike. */
+  /** What belongs to curves and other documents alike. */
   const common = [
     later(
       app,
@@ -196,14 +202,11 @@ function run(app) {
     ),
     bar,
     after,
-    later(
-      app,
-      () => isBody(store.document) && !isBroken,
-      () => import("./hyperpatch/hyperpatch.js").then(({ createHyperpatch }) => createHyperpatch),
-      (error) => {
-        isBroken = true;
+    ...Object.entries(BENCHES).map(([kind, load]) =>
+      later(app, () => store.document.kind === kind && !broken.includes(kind), load, (error) => {
+        broken.push(kind);
         find("#status").textContent = problem(error).message;
-      },
+      }),
     ),
   ];
   listenToShortcuts(app, { togglePlay: () => curves?.toggle(), choose: bar.choose });
@@ -215,10 +218,10 @@ function run(app) {
   let { document } = store;
   const draw = () => {
     frame = 0;
-    const hasBody = isBody(store.document);
-    if (!hasBody) (curves ??= createCurves(app, bar.choose)).render();
+    const hasCurves = isCurves(store.document);
+    if (hasCurves) (curves ??= createCurves(app, bar.choose)).render();
     for (const part of common) part.render();
-    if (!hasBody) painter.update();
+    if (hasCurves) painter.update();
   };
   const schedule = () => {
     if (frame === 0) frame = requestAnimationFrame(draw);
@@ -227,7 +230,7 @@ function run(app) {
   store.subscribe(() => {
     if (store.document !== document) app.tool?.close();
     ({ document } = store);
-    if (isBody(document)) {
+    if (!isCurves(document)) {
       ui.set({ probe: null, line: null, witness: null, note: null, playing: false });
       return schedule();
     }
@@ -255,7 +258,7 @@ function run(app) {
     schedule();
   });
 
-  const refit = () => void (isBody(store.document) ? Promise.resolve() : fit(app)).catch((error) => ui.set({ note: { tone: "error", text: problem(error).message } }));
+  const refit = () => void fit(app).catch((error) => ui.set({ note: { tone: "error", text: problem(error).message } }));
   new ResizeObserver(([entry]) => {
     if (!entry) return;
     const { width, height } = entry.contentRect;

@@ -115,61 +115,10 @@ export const strings = {
     fields: "Number fields",
   },
 
-  draw: {
-    region: "Drawing",
-    mode: "How to draw",
-    points: "Points",
-    freehand: "Freehand",
-    replaces: (/** @type {string} */ curve) => `This replaces the ${inSentence(curve)} curve and keeps its composition.`,
-    start: "Click to set the first point.",
-    more: (/** @type {number} */ missing) => `Click on; ${plural(missing, "more point", "more points")} to close.`,
-    close: "Click on, or close with Enter, a double click or a click on the first point.",
-    touchStart: "Tap to set the first point.",
-    touchMore: (/** @type {number} */ missing) => `Tap on; ${plural(missing, "more point", "more points")} to close.`,
-    touchClose: "Tap on, or close with a tap on the first point.",
-    stroke: "Press, draw one closed line, and let go.",
-    tooShort: "That line is too short. Press and draw once round.",
-    fitting: "Fitting a curve to the line",
-    flat: "These points lie on one line. Set one beside it.",
-    back: "Back",
-    finish: "Close",
-    cancel: "Cancel",
-    keyboard: "Canvas for drawing",
-    help:
-      "Arrow keys move the crosshair, with Shift far, with Alt finely. Space sets a point, Backspace takes the last one " +
-      "back, Enter closes the curve, Escape gives up.",
-    cross: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}, y ${y}`,
-    set: (/** @type {number} */ count, /** @type {string} */ x, /** @type {string} */ y) => `Point ${count}, x ${x}, y ${y}`,
-    taken: (/** @type {number} */ left) => `Point taken back, ${left} left`,
-    done: (/** @type {string} */ curve, /** @type {number} */ points) =>
-      `Drew ${inSentence(curve)} with ${plural(points, "control point", "control points")}`,
-    gaveUp: "Drawing given up",
-  },
-
   empty: {
     line: "Draw two curves, or start from something ready.",
     gallery: "Gallery",
     import: "Import",
-  },
-
-  frame: {
-    group: (/** @type {string} */ curve) => `Frame of ${curve}`,
-    help:
-      "Arrow keys drag a handle of the frame or turn it, with Shift ten times as far, with Alt a tenth. Page up and page " +
-      "down go from handle to handle, Escape takes the change back.",
-    turn: "Turn",
-    scale: {
-      nw: "Scale at the upper left",
-      n: "Scale at the top",
-      ne: "Scale at the upper right",
-      e: "Scale at the right",
-      se: "Scale at the lower right",
-      s: "Scale at the bottom",
-      sw: "Scale at the lower left",
-      w: "Scale at the left",
-    },
-    turned: (/** @type {string} */ degrees) => `Turned by ${degrees}°`,
-    scaled: (/** @type {string} */ x, /** @type {string} */ y) => (x === y ? `Scaled to ${x}` : `Scaled to ${x} across, ${y} up`),
   },
 
   untitled: "Untitled",
@@ -177,7 +126,8 @@ export const strings = {
   bar: {
     workbenches: "Workbenches",
     curves: "Curves",
-    bodies: "Hyperpatch",
+    part: "Part",
+    hyperpatch: "Hyperpatch",
     lessons: "Lessons",
     title: "Document title",
     edited: "Edited",
@@ -568,18 +518,6 @@ export const strings = {
 
   panel: {
     close: "Close",
-  },
-
-  gallery: {
-    heading: "Gallery",
-    topics: {
-      shapes: "Shapes",
-      pockets: "Pockets",
-      measures: "Measures and limits",
-      materials: "Materials",
-      stacks: "Stacks",
-    },
-    notMatchable: "No matching",
   },
 
   sheet: {

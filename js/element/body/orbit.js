@@ -18,6 +18,7 @@ import { dragged, middleOf, panned, turned, zoomed } from "../../space/camera.js
 import { moveOf } from "../../space/keys.js";
 import { h } from "../dom.js";
 import { fixed } from "../words.js";
+import { createZooms } from "../zooms.js";
 import { words } from "./words.js";
 
 /** CSS pixels that a press may move and still be a tap. */
@@ -28,12 +29,6 @@ const ZOOM = 1.25;
 const NEAREST = 0.25;
 const FARTHEST = 4;
 
-const SHAPES = /** @type {const} */ ({
-  farther: "M3.5 8h9",
-  nearer: "M3.5 8h9M8 3.5v9",
-  fit: "M6 2.5H2.5V6M10 2.5h3.5V6M6 13.5H2.5V10M10 13.5h3.5V10",
-});
-
 let count = 0;
 
 /** @param {Host} host */
@@ -42,25 +37,13 @@ export function createOrbit(host) {
   const help = h("p", { class: "spoken", id }, words.help);
   const element = h("div", { class: "orbit", role: "application", tabindex: "0", "aria-label": words.camera, "aria-describedby": id });
   const hint = h("p", { class: "hint", "aria-hidden": "true" }, h("span", { class: "drag" }, words.drag), h("span", { class: "tap" }, words.tap));
-  const buttons = h("div", { class: "zooms", role: "group", "aria-label": words.camera });
-  buttons.append(button("farther", { zoom: 1 / ZOOM }), button("nearer", { zoom: ZOOM }), button("fit", { fit: true }));
+  /** @type {{ [name in import("../zooms.js").Zoom]: Move }} */
+  const moves = { farther: { zoom: 1 / ZOOM }, nearer: { zoom: ZOOM }, fit: { fit: true } };
+  const buttons = createZooms(words.camera, words, (name) => act(moves[name]));
   /** @type {Map<number, [number, number]>} */
   const held = new Map();
   let isMoved = false;
   let pans = false;
-
-  /** @param {keyof typeof SHAPES} name @param {Move} move */
-  function button(name, move) {
-    const face = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    const size = { viewBox: "0 0 16 16", width: "16", height: "16", "aria-hidden": "true" };
-    for (const [key, value] of Object.entries(size)) face.setAttribute(key, value);
-    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-    path.setAttribute("d", SHAPES[name]);
-    face.append(path);
-    const found = h("button", { type: "button", "aria-label": words[name], title: words[name], "data-zoom": name }, face);
-    found.addEventListener("click", () => act(move));
-    return found;
-  }
 
   /** @param {number} factor @param {[number, number]} [at] @param {boolean} [isDrag] */
   function zoom(factor, at = middleOf(host.frame()), isDrag = false) {

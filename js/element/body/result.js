@@ -5,21 +5,8 @@
  * @import { FigureResult } from "../../element.js"
  */
 import { describeBody } from "../../sentence.js";
+import { NO_MATCHING } from "../no-matching.js";
 import { words } from "./words.js";
-
-/** What is said of matchings, for a document that has none. */
-const NO_MATCHING = /** @type {const} */ ({
-  lines: 0,
-  crossings: 0,
-  blocked: 0,
-  uncovered: 0,
-  eta: null,
-  integral: null,
-  gap: null,
-  gapKind: null,
-  method: null,
-  diagnostics: [],
-});
 
 /**
  * A body of which the certificates are known, and all checks once they have run. That nothing is wrong is said only then.

@@ -1,5 +1,6 @@
 /** The style sheet that a figure of a body has besides that of every figure. */
 import { sheetsOf } from "../sheets.js";
+import { ZOOMS_CSS } from "../zooms.js";
 
 const CSS = `
 .orbit { position: absolute; inset: 0; z-index: 1; outline: 0; cursor: grab; }
@@ -10,17 +11,10 @@ const CSS = `
 .orbit.known ~ .hint, .frame[data-controls="none"] .hint, .frame:not([data-state="shown"]) :is(.hint, .orbit) { display: none; }
 .hint .tap { display: none; }
 @media (pointer: coarse) { .hint .tap { display: inline; } .hint .drag { display: none; } }
-.zooms { display: flex; flex: none; gap: 2px; }
-.zooms button { width: var(--height); height: var(--height); }
-.zooms button:hover { background: var(--hover); }
-.zooms svg { display: block; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round; }
-.frame:not([data-controls="full"]) .zooms { display: none; }
 .result .fact { overflow: hidden; text-overflow: ellipsis; }
-@container (width < 440px) { .zooms { display: none; } }
 @container (width < 340px) { .hint { display: none; } }
 @media print { .hint, .orbit { display: none; } }
-@media (forced-colors: active) { .zooms button { border: 1px solid ButtonText; } }
 `;
 
 /** The sheet for the figures of bodies of a document. */
-export const bodySheetOf = sheetsOf(CSS);
+export const bodySheetOf = sheetsOf(`${CSS}${ZOOMS_CSS}`);

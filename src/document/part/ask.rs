@@ -4,7 +4,7 @@ use super::super::node::Node;
 use super::super::{Code, DocumentError, Json};
 use super::PartModel;
 use crate::geom::Bounds;
-use crate::part::{Frame, FrameError, MOST_PIXELS, PartFormat};
+use crate::part::{Dither, Frame, FrameError, MOST_PIXELS, PartFormat};
 use glam::DVec2;
 
 /// Pixels along the longer side of a raster that is not told a size.
@@ -75,7 +75,7 @@ impl PartAsk {
         let empty = Json::Object(Vec::new());
         let options = root.get("options")?.unwrap_or_else(|| Node::root(&empty, "options"));
         let frame = |known: &[&str], most: usize| {
-            options.only(&[&["box", "size"], known].concat())?;
+            options.only(&[&["box", "size", "pitch"], known].concat())?;
             read_frame(&options, model, most)
         };
         Ok(match name {
@@ -131,7 +131,7 @@ fn place(node: &Node<'_>) -> Result<DVec2, DocumentError> {
     Ok(DVec2::from_array(pair))
 }
 
-/// The box, by default that of all bodies, and the number of pixels, by default 256 along its longer side.
+/// The box, by default that of all bodies, and the number of pixels: as asked for, by the width of a pixel, or 256 along its longer side.
 fn read_frame(options: &Node<'_>, model: &PartModel, most: usize) -> Result<Frame, DocumentError> {
     let bounds = match options.get("box")? {
         Some(node) => {
@@ -145,8 +145,13 @@ fn read_frame(options: &Node<'_>, model: &PartModel, most: usize) -> Result<Fram
             DocumentError::new(Code::Range, "options.box", message)
         })?,
     };
-    let size = match options.get("size")? {
-        Some(node) => {
+    let (bounds, size) = match (options.get("size")?, options.get("pitch")?) {
+        (Some(_), Some(node)) => {
+            let message = "expected none, because `size` says how many pixels there are";
+            return Err(node.error(Code::Range, message.to_owned()));
+        }
+        (None, Some(node)) => pitched(bounds, &node, most)?,
+        (Some(node), None) => {
             let items = node.items()?;
             node.check_count(items.len(), " numbers", 2..=2)?;
             let size = [items[0].count_within(1..=most)?, items[1].count_within(1..=most)?];
@@ -154,12 +159,13 @@ fn read_frame(options: &Node<'_>, model: &PartModel, most: usize) -> Result<Fram
                 let message = format!("{} x {} pixels were found; expected {most} at most", size[0], size[1]);
                 return Err(node.error(Code::Limit, message));
             }
-            size
+            (bounds, size)
         }
-        None => {
+        (None, None) => {
             let extent = bounds.max - bounds.min;
             let longest = extent.max_element().max(f64::MIN_POSITIVE);
-            extent.to_array().map(|along| ((PIXELS as f64 * along / longest).round() as usize).max(1))
+            let count = |along: f64| ((PIXELS as f64 * along / longest).round() as usize).max(1);
+            (bounds, extent.to_array().map(count))
         }
     };
     let frame = Frame::new(bounds, size).and_then(|frame| frame.check(model.part()).map(|()| frame));
@@ -167,6 +173,21 @@ fn read_frame(options: &Node<'_>, model: &PartModel, most: usize) -> Result<Fram
         FrameError::Empty => DocumentError::new(Code::Range, "options.box", error.to_string()),
         _ => DocumentError::new(Code::Limit, "options.size", error.to_string()),
     })
+}
+
+/// Square pixels of a width, as many as the box needs, which grows evenly on both sides to whole pixels.
+fn pitched(bounds: Bounds, node: &Node<'_>, most: usize) -> Result<(Bounds, [usize; 2]), DocumentError> {
+    let pitch = node.within(f64::MIN_POSITIVE..=LARGEST)?;
+    let extent = bounds.max - bounds.min;
+    // A box of whole pixels up to rounding stays as it is.
+    let counts = (extent / pitch - 1e-9).ceil().max(DVec2::ONE);
+    if counts.x * counts.y > most as f64 {
+        let message = format!("{} x {} pixels would be needed; expected {most} at most", counts.x, counts.y);
+        return Err(node.error(Code::Limit, message));
+    }
+    let (center, half) = ((bounds.min + bounds.max) / 2.0, counts * (pitch / 2.0));
+    let size = counts.to_array().map(|count| count as usize);
+    Ok((Bounds { min: center - half, max: center + half }, size))
 }
 
 fn material(options: &Node<'_>, model: &PartModel) -> Result<Option<usize>, DocumentError> {
@@ -184,27 +205,34 @@ fn levels(options: &Node<'_>) -> Result<Vec<f64>, DocumentError> {
 
 fn format(options: &Node<'_>, model: &PartModel, frame: &Frame) -> Result<PartFormat, DocumentError> {
     let node = options.need("format")?;
-    let [slice, dither] =
-        [material(options, model)?.map(|_| "material"), options.get("dither")?.map(|_| "dither")];
-    let format = match node.choice(&["csv", "vti", "nrrd", "png"])? {
+    let refused = |field: &str, message: &str| match options.get(field)? {
+        Some(node) => Err(node.error(Code::Range, message.to_owned())),
+        None => Ok(()),
+    };
+    let dither = || match options.get("dither")? {
+        Some(node) => {
+            let kinds = [None, Some(Dither::Diffusion), Some(Dither::BlueNoise)];
+            Ok(kinds[node.choice(&["none", "diffusion", "blue-noise"])?])
+        }
+        None => Ok(None),
+    };
+    let choice = node.choice(&["csv", "vti", "nrrd", "png", "slices"])?;
+    if choice != 3 {
+        refused("material", "expected none, because only a `png` is of one material")?;
+    }
+    if choice < 3 {
+        refused("dither", "expected none, because only `png` and `slices` have it")?;
+    }
+    let format = match choice {
         0 => PartFormat::Csv,
         1 => PartFormat::Vti,
         2 => PartFormat::Nrrd,
-        _ => match material(options, model)? {
-            None => PartFormat::Png,
-            Some(material) => {
-                let is_dithered = match options.get("dither")? {
-                    Some(node) => node.choice(&["none", "diffusion"])? == 1,
-                    None => false,
-                };
-                return checked(PartFormat::Slice { material, is_dithered }, frame);
-            }
+        3 => match material(options, model)? {
+            None => PartFormat::Png { dither: dither()? },
+            Some(material) => PartFormat::Slice { material, dither: dither()? },
         },
+        _ => PartFormat::Slices { dither: dither()? },
     };
-    if let Some(field) = slice.or(dither) {
-        let message = "expected none, because only a `png` of one material has it";
-        return Err(options.need(field)?.error(Code::Range, message.to_owned()));
-    }
     checked(format, frame)
 }
 

@@ -388,6 +388,57 @@ fn presets_are_valid_and_have_no_fault() {
     assert_eq!(count, 7);
 }
 
+/// The box grows evenly to whole pixels, and one of whole pixels stays.
+#[test]
+fn pixels_of_a_pitch_are_square_and_hold_the_box() {
+    let found = known(&minimal());
+    let frame = |options: Value| match answer(&found, "evaluate", json!({"options": options})) {
+        PartAnswer::Raster(raster, _) => raster.frame,
+        _ => panic!("a raster"),
+    };
+    let whole = frame(json!({"pitch": 0.5}));
+    assert_eq!((whole.size(), whole.bounds().max.to_array()), ([200, 120], [100.0, 60.0]));
+    let grown = frame(json!({"pitch": 7}));
+    assert_eq!(grown.size(), [15, 9]);
+    assert_eq!(grown.bounds().min.to_array(), [-2.5, -1.5]);
+    assert_eq!(grown.step().to_array(), [7.0, 7.0]);
+    let refused = |options: Value| {
+        let rest = Json::from(json!({"options": options}));
+        let error = PartAsk::read("evaluate", &rest, found.model()).expect_err("refused");
+        (error.code, error.path)
+    };
+    assert_eq!(refused(json!({"pitch": 1e-9})), (Code::Limit, "options.pitch".into()));
+    assert_eq!(refused(json!({"pitch": 0})), (Code::Range, "options.pitch".into()));
+    assert_eq!(refused(json!({"pitch": 1, "size": [4, 4]})), (Code::Range, "options.pitch".into()));
+}
+
+#[test]
+fn pictures_alone_are_dithered_and_slices_are_of_all_materials() {
+    let found = known(&minimal());
+    let file = |options: Value| match answer(&found, "file", json!({"options": options})) {
+        PartAnswer::File(bytes) => bytes,
+        _ => panic!("a file"),
+    };
+    for dither in ["none", "diffusion", "blue-noise"] {
+        let size = [64, 48];
+        assert!(file(json!({"format": "png", "size": size, "dither": dither})).starts_with(b"\x89PNG"));
+        assert!(
+            file(json!({"format": "png", "material": 1, "size": size, "dither": dither}))
+                .starts_with(b"\x89PNG")
+        );
+        assert!(file(json!({"format": "slices", "size": size, "dither": dither})).starts_with(b"PK\x03\x04"));
+    }
+    let refused = |options: Value| {
+        let rest = Json::from(json!({"options": options}));
+        let error = PartAsk::read("file", &rest, found.model()).expect_err("refused");
+        (error.code, error.path)
+    };
+    let dither = |format: &str, kind: &str| refused(json!({"format": format, "dither": kind}));
+    assert_eq!(dither("csv", "diffusion"), (Code::Range, "options.dither".into()));
+    assert_eq!(dither("png", "ordered"), (Code::Range, "options.dither".into()));
+    assert_eq!(refused(json!({"format": "slices", "material": 0})), (Code::Range, "options.material".into()));
+}
+
 /// A number below `count` that follows from the seed.
 fn random(seed: &mut u64, count: usize) -> usize {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -177,6 +177,25 @@ fn squared(voxels: usize, step: f64) -> f64 {
 
 /// The lower envelope of the parabolas of a line, at its voxels.
 fn envelope<S: Seed>(line: &mut [S], step: f64, hull: &mut Vec<Corner<S>>) {
+    find_hull(line, step, hull);
+    let mut corners = hull.iter();
+    let (Some(mut corner), mut following) = (corners.next(), corners.next()) else { return };
+    for (n, value) in line.iter_mut().enumerate() {
+        let place = n as f64 * step;
+        while let Some(next) = following {
+            if next.height - corner.height > 2.0 * place * (next.place - corner.place) {
+                break;
+            }
+            corner = next;
+            following = corners.next();
+        }
+        let along = place - corner.place;
+        *value = corner.seed.at(corner.level + along * along);
+    }
+}
+
+/// The lower convex hull of the points of a line.
+fn find_hull<S: Seed>(line: &[S], step: f64, hull: &mut Vec<Corner<S>>) {
     hull.clear();
     for (n, seed) in line.iter().enumerate() {
         let level = seed.level();
@@ -195,20 +214,13 @@ fn envelope<S: Seed>(line: &mut [S], step: f64, hull: &mut Vec<Corner<S>>) {
         }
         hull.push(next);
     }
-    let mut corners = hull.iter();
-    let (Some(mut corner), mut following) = (corners.next(), corners.next()) else { return };
-    for (n, value) in line.iter_mut().enumerate() {
-        let place = n as f64 * step;
-        while let Some(next) = following {
-            if next.height - corner.height > 2.0 * place * (next.place - corner.place) {
-                break;
-            }
-            corner = next;
-            following = corners.next();
-        }
-        let along = place - corner.place;
-        *value = corner.seed.at(corner.level + along * along);
-    }
+}
+
+/// The envelope of a line of spacing 1, with the voxels whose parabolas are corners of the hull.
+pub(super) fn traced(line: &mut [f32]) -> Vec<usize> {
+    let mut hull = Vec::new();
+    envelope(line, 1.0, &mut hull);
+    hull.iter().map(|corner| corner.place as usize).collect()
 }
 
 #[cfg(test)]

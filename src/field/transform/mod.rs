@@ -11,13 +11,15 @@ mod lines;
 mod scan;
 mod seed;
 mod signed;
+mod trace;
 mod window;
 
 pub use envelope::Envelope;
 pub use job::{DistanceJob, TransformError, distances};
-pub use scan::{Scan, scan};
+pub use scan::{Scan, Search, scan};
 pub use seed::{Near, Seed};
 pub use signed::signed;
+pub use trace::{ColumnTrace, MOST_TRACED, Trace, trace};
 pub use window::{LONGEST_WINDOW, Window};
 
 #[cfg(test)]

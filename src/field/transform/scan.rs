@@ -33,7 +33,7 @@ pub fn scan(grid: &Grid, features: &[u8]) -> Scan {
                 lines.change(&mut levels, block, &mut scratch, |line| {
                     before.clear();
                     before.extend_from_slice(line);
-                    extra += search(line, &before);
+                    extra += search(line, &before, |_| {});
                 });
             }
         }
@@ -41,8 +41,21 @@ pub fn scan(grid: &Grid, features: &[u8]) -> Scan {
     Scan { levels, extra }
 }
 
+/// A search along a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Search {
+    /// The voxel whose number is tried.
+    pub from: usize,
+    /// Whether voxels after it are compared, else those before it.
+    pub is_forward: bool,
+    /// Voxels that the bound allows.
+    pub reach: usize,
+    /// Voxels that were compared: the last one is not improved where that are fewer, or where the line ends.
+    pub count: usize,
+}
+
 /// Improves a line by what it was before, forwards and backwards; returns the number of comparisons.
-fn search(line: &mut [f32], before: &[f32]) -> u64 {
+pub(super) fn search(line: &mut [f32], before: &[f32], mut told: impl FnMut(Search)) -> u64 {
     let last = line.len() - 1;
     let mut count = 0;
     for is_forward in [true, false] {
@@ -53,6 +66,7 @@ fn search(line: &mut [f32], before: &[f32]) -> u64 {
                 continue;
             }
             let reach = (((here - from - 1.0) / 2.0) as usize).min(last - j);
+            let start = count;
             for n in 0..=reach {
                 count += 1;
                 let level = from + ((n + 1) * (n + 1)) as f32;
@@ -62,6 +76,8 @@ fn search(line: &mut [f32], before: &[f32]) -> u64 {
                 }
                 line[at] = line[at].min(level);
             }
+            let compared = (count - start) as usize;
+            told(Search { from: place(j - 1), is_forward, reach: reach + 1, count: compared });
         }
     }
     count

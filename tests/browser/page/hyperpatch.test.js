@@ -97,7 +97,7 @@ test("what is wrong with a body is named, with its witness in the picture, and a
   await checked(page);
   await page.locator("[data-action=gallery]").click();
   // Every preset has its picture.
-  const pictures = page.locator(".body-preset-picture");
+  const pictures = page.locator(".listed-picture");
   await eventually(async () => {
     const sources = await pictures.evaluateAll((images) => images.map((image) => /** @type {HTMLImageElement} */ (image).src));
     assert.ok(sources.length === 14 && sources.every((source) => source.startsWith("data:image/png")) && new Set(sources).size >= 13);

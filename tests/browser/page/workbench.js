@@ -57,11 +57,16 @@ export function drawn(page) {
  * @param {Page} page
  * @returns {Promise<any>}
  */
-async function kept(page) {
-  await drawn(page);
-  return page.evaluate(() => {
-    dispatchEvent(new Event("pagehide"));
-    return history.state;
+function kept(page) {
+  return eventually(async () => {
+    await drawn(page);
+    const state = await page.evaluate(() => {
+      dispatchEvent(new Event("pagehide"));
+      return history.state;
+    });
+    // An entry that was just gone to is written once the page has done what its address says.
+    assert.ok(state, "the page keeps nothing yet");
+    return state;
   });
 }
 

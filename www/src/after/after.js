@@ -6,10 +6,10 @@
  */
 import "../../styles/access.css";
 import { listenToDrop } from "../frame/drop.js";
-import { isBody } from "../hyperpatch/kind.js";
 import { listenToPaste } from "../import/paste.js";
 import { createModes } from "../modes/modes.js";
 import { whenAtRest } from "../offline/rest.js";
+import { isCurves } from "../state/kind.js";
 import { createOutcome } from "./outcome.js";
 
 /** @param {App} app */
@@ -21,11 +21,11 @@ export function createAfter(app) {
   whenAtRest(async () => (await import("../offline/offline.js")).startOffline(app));
   return {
     render() {
-      const hasBody = isBody(app.store.document);
-      // Modes are those of curves; one that is left because a body was opened still has to close.
-      if (hasBody && app.ui.value.mode !== "figure") app.ui.set({ mode: "figure" });
+      const hasCurves = isCurves(app.store.document);
+      // Modes are those of curves; one that is left because another kind of document was opened still has to close.
+      if (!hasCurves && app.ui.value.mode !== "figure") app.ui.set({ mode: "figure" });
       modes.render();
-      if (!hasBody) outcome.render();
+      if (hasCurves) outcome.render();
     },
   };
 }

@@ -4,8 +4,8 @@
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument, Size } from "../types.js"
  */
-import { isBody } from "../hyperpatch/kind.js";
 import { FIRST_LAYERS, LAYERS } from "../state/app.js";
+import { isCurves } from "../state/kind.js";
 
 /** Place of the current in-between where a document names none. */
 const FIRST_S = 0.4;
@@ -18,8 +18,8 @@ const CROWDED = "samples";
  */
 export function splitView(document) {
   const { view, ...rest } = document;
-  // What a body shows besides is no matter of its document; the modes are those of curves.
-  if (isBody(document)) return { document, ui: /** @type {Partial<import("../state/app.js").Ui>} */ ({ mode: "figure" }), place: null };
+  // What is shown besides is no matter of documents of other kinds; the modes are those of curves.
+  if (!isCurves(document)) return { document, ui: /** @type {Partial<import("../state/app.js").Ui>} */ ({ mode: "figure" }), place: null };
   const layers = view?.layers?.filter((name) => LAYERS.some((layer) => layer === name));
   return {
     document: /** @type {CurvesDocument} */ (rest),
@@ -50,7 +50,7 @@ function firstLayers() {
  * @returns {CurvesDocument}
  */
 export function documentWithView(app, document = app.store.document) {
-  if (isBody(document)) return document;
+  if (!isCurves(document)) return document;
   const { view, layers, s, size, isoMaterial, patterns } = app.ui.value;
   const place = view ? { center: view.center, span: Math.min(size.width, size.height) / view.scale } : {};
   return { ...document, view: { layers, s, ...(isoMaterial > 0 ? { isoMaterial } : {}), ...(patterns ? { patterns } : {}), ...place } };

@@ -10,9 +10,9 @@
  * @property {boolean} [foreign] whether it comes from outside: its curves are then tried as well, while what this browser kept is
  *   shown as it was left
  */
-import { isBody } from "../hyperpatch/kind.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
+import { isCurves } from "../state/kind.js";
 import { only, within } from "../state/selection.js";
 import { originOf } from "../state/store.js";
 import { strings } from "../strings.js";
@@ -29,7 +29,7 @@ import { splitView, viewAt } from "./document-view.js";
 export async function openDocument(app, raw, name, { origin, edited = false, foreign = false } = {}) {
   try {
     const { document, ui, place } = splitView(await completed(app.kernel, raw));
-    if (isBody(document)) {
+    if (!isCurves(document)) {
       // A mode of the curves is left before its document is.
       app.ui.set({ mode: "figure" });
       await new Promise(requestAnimationFrame);
@@ -39,7 +39,7 @@ export async function openDocument(app, raw, name, { origin, edited = false, for
     app.ui.set({
       ...ui,
       step: 1,
-      selection: isBody(document) ? null : within(only(1, 0), document),
+      selection: isCurves(document) ? within(only(1, 0), document) : null,
       probe: null,
       witness: null,
       note: null,

@@ -7,7 +7,6 @@ import { commandText, commandTitle, runCommand } from "../commands.js";
 import { textField } from "../controls/text-field.js";
 import { attribute, find, h, write } from "../dom.js";
 import { createChooser } from "../files/choose.js";
-import { isBody } from "../hyperpatch/kind.js";
 import { halfDisc, icon } from "../icons.js";
 import { strings } from "../strings.js";
 import { fileItems } from "./file-menu.js";
@@ -34,8 +33,7 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
-  const curves = h("a", { href: "#stage" }, words.curves);
-  const bodies = h("a", { href: "#stage", "data-bench": "hyperpatch" }, words.bodies);
+  const benches = /** @type {const} */ (["curves", "part", "hyperpatch"]).map((kind) => h("a", { href: "#stage", "data-bench": kind }, words[kind]));
   const lessons = h("a", { href: "#lesson" }, words.lessons);
   const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
   const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));
@@ -63,11 +61,11 @@ export function createBar(app) {
   panel.setAttribute("aria-expanded", "false");
   panel.setAttribute("aria-controls", "inspector");
 
-  for (const bench of [curves, bodies]) {
+  for (const bench of benches) {
     bench.addEventListener("click", (event) => {
       // Out of the lessons the address leads; from one document to another it stays as it is.
       if (app.ui.value.workbench !== "lessons") event.preventDefault();
-      void import("../hyperpatch/benches.js").then(({ enter }) => enter(app, bench === bodies));
+      void import("../kinds/benches.js").then(({ enter }) => enter(app, bench.dataset.bench ?? ""));
     });
   }
   const openExport = () => void import("./export-panel.js").then(({ showExport }) => showExport(app));
@@ -82,8 +80,7 @@ export function createBar(app) {
       "line",
       { name: "export", text: words.exportItem, act: openExport },
       "line",
-      { name: "curves", text: words.curves, act: () => curves.click() },
-      { name: "hyperpatch", text: words.bodies, act: () => bodies.click() },
+      ...benches.map((bench) => ({ name: bench.dataset.bench ?? "", text: bench.textContent ?? "", act: () => bench.click() })),
       { name: "lessons", text: words.lessons, act: () => lessons.click() },
       { name: "theme", text: themeLabel(app), act: () => toggleTheme(app) },
     ],
@@ -96,8 +93,7 @@ export function createBar(app) {
     h(
       "nav",
       { class: "workbenches", "aria-label": words.workbenches },
-      curves,
-      bodies,
+      ...benches,
       lessons,
     ),
     h("div", { class: "bar-title" }, title.element, state),
@@ -123,9 +119,7 @@ export function createBar(app) {
     render() {
       const { store } = app;
       const isLessons = app.ui.value.workbench === "lessons";
-      const hasBody = isBody(store.document);
-      attribute(curves, "aria-current", isLessons || hasBody ? null : "page");
-      attribute(bodies, "aria-current", hasBody && !isLessons ? "page" : null);
+      for (const bench of benches) attribute(bench, "aria-current", !isLessons && bench.dataset.bench === store.document.kind ? "page" : null);
       attribute(lessons, "aria-current", isLessons ? "page" : null);
       title.set(store.document.title || strings.untitled);
       title.input.size = Math.max(4, store.document.title.length);

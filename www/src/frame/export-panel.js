@@ -18,8 +18,7 @@ import { LARGEST, scaledSize } from "../files/pictures.js";
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
 import { openPanel } from "./panel.js";
-import { showBodyExport } from "../hyperpatch/export.js";
-import { isBody } from "../hyperpatch/kind.js";
+import { kindOf } from "../kinds/kinds.js";
 
 const words = strings.exports;
 
@@ -39,8 +38,9 @@ const FIRST_SCALE = "2";
 const last = { format: "png", table: "lines", content: "document", transparent: false, section: null };
 
 /** @param {App} app */
-export function showExport(app) {
-  if (isBody(app.store.document)) return showBodyExport(app);
+export async function showExport(app) {
+  const kind = await kindOf(app.store.document);
+  if (kind) return kind.showExport(app);
   const { size } = app.ui.value;
   /** @type {Wanted} */
   const wanted = {

@@ -7,5 +7,5 @@
 /** @param {App} app */
 export async function openGallery(app) {
   const { showGallery } = await import("../gallery/gallery.js");
-  showGallery(app);
+  await showGallery(app);
 }

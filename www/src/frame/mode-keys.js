@@ -46,6 +46,16 @@ export const MODE_KEYS = [
     ],
   },
   {
+    heading: "Part",
+    rows: [
+      { text: "Move the crosshair of the reader", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Say again what it reads, end the reading", keys: ["Enter", "Escape"] },
+      { text: "Next row of the feature list", keys: ["ArrowDown", "ArrowUp"] },
+      { text: "Other rule, of the three side by side", keys: ["ArrowRight", "ArrowLeft"] },
+      { text: "Move what all three read", keys: ["Shift+\u2190\u2191\u2192\u2193"] },
+    ],
+  },
+  {
     heading: "Lessons",
     rows: [
       { text: "Next step, step before", keys: ["ArrowRight", "ArrowLeft", "PageDown", "PageUp"] },

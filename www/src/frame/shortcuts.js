@@ -4,15 +4,15 @@
  * @import { App } from "../state/app.js"
  */
 import { commandOf, runCommand } from "../commands.js";
-import { isBody } from "../hyperpatch/kind.js";
+import { isCurves } from "../state/kind.js";
 import { saving } from "./file-menu.js";
 
 /** Commands that a text field leaves to the page, as long as nothing is being typed in it. */
 const PAST_FIELDS = ["undo", "redo"];
 /** Topics whose keys belong to the canvas: elsewhere Delete must not take a point away. */
 const ON_CANVAS = ["select", "points"];
-/** Topics whose keys work in each mode but the figure, where all do. @type {{[mode: string]: string[]}} */
-const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"], solid: ["document", "mode"], body: ["document"] };
+/** Topics whose keys work in each mode but the figure, where all do, and in other workbenches. @type {{[mode: string]: string[]}} */
+const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"], solid: ["document", "mode"], part: ["document", "view"], hyperpatch: ["document"] };
 
 /**
  * @param {App} app
@@ -28,7 +28,7 @@ export function listenToShortcuts(app, { togglePlay, choose }) {
       const typed = target instanceof HTMLInputElement && target.value !== target.defaultValue;
       if (typed || !command || !PAST_FIELDS.includes(command.name)) return;
     }
-    const mode = isBody(app.store.document) ? "body" : app.ui.value.mode;
+    const mode = isCurves(app.store.document) ? app.ui.value.mode : app.store.document.kind;
     if (command) {
       if (IN_MODE[mode] && !IN_MODE[mode].includes(command.topic)) return;
       if (target instanceof HTMLSelectElement || (ON_CANVAS.includes(command.topic) && !isOnCanvas(target))) return;

@@ -9,10 +9,9 @@ import "../../styles/gallery.css";
 import { h } from "../dom.js";
 import { openDocument } from "../files/open.js";
 import { openPanel } from "../frame/panel.js";
-import { showBodies } from "../hyperpatch/gallery.js";
-import { isBody } from "../hyperpatch/kind.js";
-import { strings } from "../strings.js";
+import { kindOf } from "../kinds/kinds.js";
 import { presetDocument, presets, thumbnail } from "./presets.js";
+import { words } from "./words.js";
 
 const TOPICS = /** @type {const} */ (["shapes", "pockets", "measures", "materials", "stacks"]);
 const SIZE = { width: 168, height: 120 };
@@ -21,9 +20,9 @@ const SIZE = { width: 168, height: 120 };
  * Opens the gallery, or closes it when it is open.
  * @param {App} app
  */
-export function showGallery(app) {
-  if (isBody(app.store.document)) return showBodies(app);
-  const words = strings.gallery;
+export async function showGallery(app) {
+  const kind = await kindOf(app.store.document);
+  if (kind) return kind.showGallery(app);
   // As they lie on the screen, so that the keys go from one to the next.
   const shown = TOPICS.flatMap((topic) => presets.filter((preset) => preset.topic === topic));
   const pictures = shown.map(({ id }) => ({ id, element: h("img", { alt: "", loading: "lazy", ...SIZE }) }));

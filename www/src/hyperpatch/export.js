@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  */
 import "../../styles/export.css";
+import "../../styles/list.css";
 import "../../styles/push.css";
 import { segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
@@ -35,13 +36,13 @@ export function showBodyExport(app) {
     const [name, line] = words.exports.formats[format];
     return h(
       "button",
-      { type: "button", class: "body-preset", "data-export": format, onclick: () => void write(format) },
-      h("span", { class: "body-preset-title" }, name),
-      h("span", { class: "body-preset-line" }, line),
+      { type: "button", class: "listed", "data-export": format, onclick: () => void write(format) },
+      h("span", { class: "listed-title" }, name),
+      h("span", { class: "listed-line" }, line),
     );
   });
   const size = pictureSize();
-  const list = h("ul", { class: "body-exports" }, ...buttons.map((button) => h("li", {}, button)));
+  const list = h("ul", { class: "listing" }, ...buttons.map((button) => h("li", {}, button)));
   const panel = openPanel({ name: "export", heading: words.exports.heading, body: [list, ...(size ? [pictureSection(size)] : []), message] });
   if (!panel) return;
   buttons[0].focus();

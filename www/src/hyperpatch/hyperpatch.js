@@ -15,6 +15,7 @@ import { STANDARD } from "../space/camera.js";
 import { placeOf, planeMoves } from "../space/section.js";
 import { sectionText } from "../space/section-group.js";
 import { createStand, followSize, whereDrawn } from "../space/stand.js";
+import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
 import { shiftsOf } from "./apart.js";
 import { placeOf as coefficientAt, sampleAt } from "./cell.js";
@@ -27,7 +28,6 @@ import { placeOfCorner } from "./edits.js";
 import { createBodyGroups, nudgeOf } from "./groups.js";
 import { listenToKeys } from "./keys.js";
 import { jointsOf } from "./joints.js";
-import { isBody } from "./kind.js";
 import { createBodyLegend } from "./legend.js";
 import { neighboursOf } from "./neighbours.js";
 import { offer } from "./picture.js";
@@ -38,6 +38,8 @@ import { renderStatus, summaryOf } from "./status.js";
 import { createBodyView } from "./view.js";
 import { words } from "./words.js";
 
+/** Of documents that are shown here. */
+const KIND = "hyperpatch";
 /** CSS pixels at the upper edge that stay free. */
 const TOP = 16;
 /** Milliseconds after the last change of camera or display before it is kept. */
@@ -56,7 +58,7 @@ export function createHyperpatch(app) {
   const root = document.documentElement;
   return {
     render() {
-      const isOn = isBody(app.store.document) && app.ui.value.workbench !== "lessons";
+      const isOn = isOf(app.store.document, KIND) && app.ui.value.workbench !== "lessons";
       if (isOn && !open) {
         root.dataset.workbench = "hyperpatch";
         open = openWorkbench(app);
@@ -338,7 +340,7 @@ function openWorkbench(app) {
 
   function render() {
     const document = bodyOf(app);
-    if (!isBody(document)) return;
+    if (!isOf(document, KIND)) return;
     if (document !== asked) {
       const isSame = asked !== null && asked.operations === document.operations && asked.materials.length === document.materials.length && known?.document === asked;
       asked = document;

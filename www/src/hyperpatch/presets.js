@@ -7,6 +7,3 @@ import { PRESETS } from "./words.js";
 const documents = import.meta.glob("../../presets/hyperpatch/*.json", { eager: true, import: "default" });
 
 export const bodies = PRESETS.map(({ id, file, line }) => ({ id, line, document: documents[`../../presets/hyperpatch/${file}.json`] }));
-
-/** The document of a preset; undefined where there is none of that name. @param {string} id */
-export const bodyPreset = (id) => bodies.find((preset) => preset.id === id)?.document;

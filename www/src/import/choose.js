@@ -36,8 +36,8 @@ function encloses(outer, inner) {
   return within && inner.points.every((at, i) => i % step !== 0 || isInside(outer.points, at));
 }
 
-/** @param {readonly Point[]} ring @param {Point} at */
-function isInside(ring, [x, y]) {
+/** Whether a place lies within a closed chain. @param {readonly Point[]} ring @param {Point} at */
+export function isInside(ring, [x, y]) {
   let inside = false;
   let [ax, ay] = ring[ring.length - 1];
   for (const [bx, by] of ring) {

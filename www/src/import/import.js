@@ -6,6 +6,7 @@
 import { refuse } from "../files/open.js";
 import { problem } from "../painter.js";
 import { hasSpace } from "../state/in-space.js";
+import { isCurves, isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
 import { showShapes } from "./panel.js";
 import { words } from "./words.js";
@@ -18,8 +19,10 @@ import { words } from "./words.js";
  * @returns {Promise<boolean>} whether there was anything to offer
  */
 export async function importText(app, name, text) {
-  if (hasSpace(app.store.document)) {
-    refuse(app, name, words.inSpace);
+  const { document } = app.store;
+  const isPart = isOf(document, "part");
+  if (!isPart && (!isCurves(document) || hasSpace(document))) {
+    refuse(app, name, isCurves(document) ? words.inSpace : words.elsewhere);
     return false;
   }
   try {
@@ -29,7 +32,9 @@ export async function importText(app, name, text) {
       refuse(app, name, first ? words.onlySkipped(first.name, first.reason, found.skipped.length) : words.nothing);
       return false;
     }
-    showShapes(app, name, found, !/^[\s\ufeff]*</.test(text));
+    const isList = !/^[\s\ufeff]*</.test(text);
+    const show = isPart ? (await import("../part/shapes/import.js")).showPartImport : showShapes;
+    show(app, name, found, isList);
     return true;
   } catch (error) {
     const { path = "", message } = problem(error);

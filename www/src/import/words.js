@@ -34,5 +34,6 @@ export const words = {
   opened: (/** @type {string} */ title) => `Opened ${title}`,
   placed: (/** @type {string} */ curve, /** @type {number} */ points) =>
     `${curve} now has ${plural(points, "control point", "control points")}`,
+  elsewhere: "shapes are for curves and for parts; open one of them first",
   inSpace: "shapes lie in the plane, and the curves of this document in space; open a new one first",
 };

@@ -113,7 +113,7 @@ export function createBodyFigure(app, host, figure) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let idle;
 
-  const reading = figure.reading ? createReading(figure.reading) : null;
+  const reading = figure.reading ? createReading(/** @type {Parameters<typeof createReading>[0]} */ (figure.reading)) : null;
   const controls = createBodyControls(figure, reading?.element ?? null, {
     place,
     choose,

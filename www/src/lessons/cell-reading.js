@@ -3,7 +3,6 @@
  * body-reading.js has.
  *
  * @import { CellVerdict, Material } from "../../../js/directrix.js"
- * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  * @import { Cell } from "../hyperpatch/document.js"
  * @import { Vector } from "../space/vector.js"
  * @import { Rule, Shares } from "./body-edits.js"
@@ -30,7 +29,7 @@ import { words } from "./words-body.js";
 /** Rows of single coefficients, those with the greatest weights. */
 const ROWS = 5;
 
-/** @param {NonNullable<Figure["reading"]>} kind */
+/** @param {"weights" | "material" | "jacobian" | keyof typeof READINGS} kind */
 export function createReading(kind) {
   const element = h("div", { class: "cell-reading", "data-reading": kind });
   let shown = "";

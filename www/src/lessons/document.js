@@ -7,6 +7,7 @@
  */
 import { lengths, totalOf } from "../steps/film.js";
 import { firstState } from "./body-edits.js";
+import { firstPart } from "./part-known.js";
 
 /**
  * The document of a figure with its changes, and with the layers and the in-between curve that it shows.
@@ -17,6 +18,7 @@ import { firstState } from "./body-edits.js";
 export function figureDocument(source, figure) {
   const { changes, layers, s, view: kind } = figure;
   if (kind === "body") return /** @type {any} */ (firstState(/** @type {any} */ (source), figure));
+  if (kind === "part" || kind === "grid") return /** @type {any} */ (firstPart(/** @type {any} */ (source), figure));
   const document = structuredClone(/** @type {any} */ (source));
   for (const [path, value] of changes) {
     const keys = path.split(".");

@@ -28,7 +28,7 @@
 import { h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";
-import { isBody } from "../hyperpatch/kind.js";
+import { isCurves, isOf } from "../state/kind.js";
 import { completed } from "../kernel.js";
 import { problem } from "../painter.js";
 import { hasSpace } from "../state/in-space.js";
@@ -42,7 +42,7 @@ import { words } from "./words.js";
 
 /** Why a figure of curves cannot show a document; null where it can. @param {CurvesDocument} document */
 function lackOf(document) {
-  if (isBody(document)) return words.needsCurves;
+  if (!isCurves(document)) return words.needsCurves(isOf(document, "part"));
   if (document.curves.length < 2) return words.needsTwo;
   return hasSpace(document) ? words.planeOnly : null;
 }
@@ -63,8 +63,9 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
   const message = h("p", { class: "lesson-message", role: "status", hidden: true });
   const note = h("p", { class: "lesson-mine", hidden: true });
   const element = h("figure", { class: "lesson-figure", "data-view": figure.view });
-  const isBodyFigure = figure.view === "body";
-  let isMine = mine && !isBodyFigure;
+  // Only figures of curves can show the reader's own.
+  const isFixed = Object.hasOwn(lesson.create, figure.view);
+  let isMine = mine && !isFixed;
   let over = false;
   let changed = false;
   let asked = 0;
@@ -83,13 +84,13 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
       element.dataset.drawn = "failed";
     },
   };
-  const create = figure.view === "steps" ? createStepsView : (isBodyFigure && lesson.createBody) || createCurvesView;
+  const create = figure.view === "steps" ? createStepsView : (isFixed && lesson.create[figure.view]) || createCurvesView;
   const view = create(app, host, figure);
 
   const button = (/** @type {string} */ name, /** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ act) =>
     h("button", { type: "button", class: "bare word", "data-lesson": name, title, onclick: act }, text);
   const own = button("mine", words.mine, "", () => use(!isMine));
-  own.hidden = isBodyFigure;
+  own.hidden = isFixed;
   const acts = h(
     "div",
     { class: "lesson-acts" },
@@ -147,7 +148,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     const same = isMine && figure.changes.length === 0 && !changed;
     if (!same) {
       keepNow();
-      const shown = isBodyFigure ? document : { ...document, view: { ...document.view, ...(s === null ? {} : { s }) } };
+      const shown = isFixed ? document : { ...document, view: { ...document.view, ...(s === null ? {} : { s }) } };
       if (!(await openDocument(app, shown, document.title))) {
         host.failed(new Error(app.ui.value.note?.text));
         return;

@@ -5,9 +5,17 @@
  * @import { Lesson } from "../../../scripts/lib/lesson.mjs"
  *
  * @typedef {Omit<Lesson, "steps"> & {steps: string[]}} Head a lesson with the titles of its steps
- * @typedef {Lesson & {documents: {[name: string]: unknown}, createBody: typeof import("./body-view.js").createBodyFigure | null}} WholeLesson
- *   `createBody`: what shows figures of a body, where the lesson has one
+ * @typedef {(app: import("../state/app.js").App, host: import("./figure.js").Host, figure: import("../../../scripts/lib/lesson.mjs").Figure) => import("./figure.js").FigureView} Create
+ * @typedef {Lesson & {documents: {[name: string]: unknown}, create: {[view: string]: Create}}} WholeLesson
+ *   `create`: what shows figures of other kinds than curves, as far as the lesson has such
  */
+
+/** @type {{[view: string]: () => Promise<Create>}} */
+const OTHERS = {
+  body: async () => (await import("./body-view.js")).createBodyFigure,
+  part: async () => (await import("./part-view.js")).createPartFigure,
+  grid: async () => (await import("./grid-view.js")).createGridFigure,
+};
 
 /** @type {{[path: string]: Head}} */
 const found = import.meta.glob("../../lessons/*.md", { eager: true, query: "?head", import: "default" });
@@ -21,6 +29,7 @@ export async function openLesson(name) {
   const load = whole[`../../lessons/${name}.md`];
   if (!load) throw new Error(`there is no lesson ${name}`);
   const lesson = /** @type {WholeLesson} */ (await load());
-  const hasBody = lesson.steps.some(({ figure }) => figure.view === "body");
-  return { ...lesson, createBody: hasBody ? (await import("./body-view.js")).createBodyFigure : null };
+  const views = [...new Set(lesson.steps.map(({ figure }) => figure.view))].filter((view) => Object.hasOwn(OTHERS, view));
+  const create = Object.fromEntries(await Promise.all(views.map(async (view) => [view, await OTHERS[view]()])));
+  return { ...lesson, create };
 }

@@ -52,7 +52,8 @@ export const words = {
     "Arrow keys move a control point, with Shift ten times as far, with Alt a tenth. Home and End go to the first and the last one; Page up and Page down from one to the next.",
   handle: (/** @type {string} */ name, /** @type {string} */ x, /** @type {string} */ y) => `${name}, x ${x}, y ${y}`,
 
-  needsCurves: "Your document is a body, and these figures show curves. The workbench Hyperpatch shows yours.",
+  needsCurves: (/** @type {boolean} */ isPart) =>
+    `Your document is ${isPart ? "a part" : "a body"}, and these figures show curves. The workbench ${isPart ? "Part" : "Hyperpatch"} shows yours.`,
   question: "Question",
   reveal: "Show the answer",
   chooseVertex: "Choose by keyboard",

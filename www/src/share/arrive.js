@@ -15,7 +15,8 @@ import { readLink } from "../../../js/link.js";
 import { find } from "../dom.js";
 import { splitView, viewAt } from "../files/document-view.js";
 import { openDocument } from "../files/open.js";
-import { isBody } from "../hyperpatch/kind.js";
+import { presetOfAnyKind } from "../kinds/kinds.js";
+import { isCurves } from "../state/kind.js";
 import { completed } from "../kernel.js";
 import { currentTheme } from "../frame/theme.js";
 import { problem } from "../painter.js";
@@ -129,8 +130,8 @@ async function rawOf({ document, preset }) {
   if (preset === undefined) return document;
   const { presetDocument, presets } = await import("../gallery/presets.js");
   if (presets.some(({ id }) => id === preset)) return presetDocument(preset);
-  const body = (await import("../hyperpatch/presets.js")).bodyPreset(preset);
-  if (body) return body;
+  const other = await presetOfAnyKind(preset);
+  if (other) return other;
   throw Object.assign(new Error(words.problem.noPreset(preset)), { code: "link", path: "preset" });
 }
 
@@ -141,7 +142,7 @@ async function rawOf({ document, preset }) {
  */
 async function tried(kernel, raw) {
   const found = splitView(await completed(kernel, raw));
-  if (!isBody(found.document)) await kernel.fit(found.document, { width: 1, height: 1 });
+  if (isCurves(found.document)) await kernel.fit(found.document, { width: 1, height: 1 });
   return found;
 }
 

@@ -6,8 +6,7 @@
  */
 import { documentWithView, splitView } from "../files/document-view.js";
 import { presetDocument, presets } from "../gallery/presets.js";
-import { isBody } from "../hyperpatch/kind.js";
-import { bodies } from "../hyperpatch/presets.js";
+import { kindOf } from "../kinds/kinds.js";
 import { completed } from "../kernel.js";
 
 /** The longest link that is offered, in characters: mail, chat and course systems cut longer ones. */
@@ -40,8 +39,9 @@ function document(app) {
 /** The preset that the document still is, with the view that it came with; null when it is none. @param {App} app */
 async function presetOf(app) {
   const { document: open } = app.store;
-  if (isBody(open)) {
-    const same = bodies.map(async ({ id, document }) => (document.title === open.title && JSON.stringify(await completed(app.kernel, document)) === JSON.stringify(open) ? id : null));
+  const kind = await kindOf(open);
+  if (kind) {
+    const same = (await kind.presets()).map(async ({ id, document }) => (document.title === open.title && JSON.stringify(await completed(app.kernel, document)) === JSON.stringify(open) ? id : null));
     return (await Promise.all(same)).find((id) => id !== null) ?? null;
   }
   if (!app.ui.value.fitted) return null;

@@ -15,7 +15,6 @@ import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
 import { written } from "../files/written.js";
 import { openPanel } from "../frame/panel.js";
-import { isBody } from "../hyperpatch/kind.js";
 import { problem } from "../painter.js";
 import { writeLink } from "../../../js/link.js";
 import { linkAddress } from "./address.js";
@@ -203,10 +202,6 @@ export function showShare(app) {
     tell(words.downloaded(file()));
   }
 
-  // The page that shows a figure alone, and figures in other pages, have curves.
-  const hasBody = isBody(app.store.document);
-  if (hasBody) chosen.tab = "editor";
-  choices.tab.element.hidden = hasBody;
   const panel = openPanel({
     name: "share",
     heading: words.heading,

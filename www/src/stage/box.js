@@ -3,7 +3,7 @@
  *
  * @import { App } from "../state/app.js"
  * @import { Point } from "../types.js"
- * @import { Drag } from "./pointer.js"
+ * @import { Drag } from "./gestures.js"
  */
 import { find, h } from "../dom.js";
 import { handleCount } from "../state/edits.js";

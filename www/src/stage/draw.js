@@ -16,30 +16,20 @@ import { handleCount } from "../state/edits.js";
 import { whole } from "../state/selection.js";
 import { openCurveThrough } from "../state/through-open.js";
 import { curveThrough } from "../state/through.js";
-import { strings } from "../strings.js";
 import { aimed, gridStep, panned, toPlane, toScreen } from "../view.js";
-import { words as openWords } from "./draw-words.js";
+import { openWords, words } from "./draw-words.js";
 import { rested } from "./snap.js";
+import { isLoop, SPACING, spread, TOLERANCE } from "./strokes.js";
 
 /** Fewest points of a closed curve, and of an open one. */
 const FEWEST = 3;
 const FEWEST_OPEN = 2;
 /** Pixels within which a click is meant for a point that is there, by pointer and by touch. */
 const REACH = { mouse: 10, touch: 22 };
-/** Pixels between places of a stroke, its least length and least size, and how far the fitted curve may lie from it. */
-const SPACING = 3;
-const SHORTEST = 80;
-const SMALLEST = 16;
-const TOLERANCE = 2.5;
-/** Pixels of a stroke from one point of an open curve to the next, and most such points. */
-const STRETCH = 36;
-const MOST = 40;
 /** Pixels of an arrow key. */
 const STEP = 10;
 /** Chords of one knot span of the preview, whose spans may be long. */
 const CHORDS = 32;
-
-const words = strings.draw;
 
 /**
  * Takes the canvas until the curve is closed or given up.
@@ -391,39 +381,4 @@ function createDraw(app) {
 function focusOutline(index) {
   const outline = document.querySelector(`[data-outline="${index}"]`);
   if (outline instanceof SVGElement) outline.focus({ preventScroll: true });
-}
-
-/**
- * Points along a stroke, evenly spread, both ends among them; none of one that is too short.
- * @param {readonly Point[]} line document units
- * @param {number} scale pixels for one unit
- * @returns {Point[]}
- */
-function spread(line, scale) {
-  const arcs = [0];
-  for (let i = 1; i < line.length; i += 1) arcs.push(arcs[i - 1] + Math.hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]));
-  const length = arcs[arcs.length - 1];
-  if (length * scale < SHORTEST) return [];
-  const count = Math.min(MOST, Math.max(4, Math.round((length * scale) / STRETCH)));
-  return Array.from({ length: count }, (_, k) => {
-    const arc = (length * k) / (count - 1);
-    const i = Math.max(1, arcs.findIndex((each) => each >= arc));
-    const t = (arc - arcs[i - 1]) / (arcs[i] - arcs[i - 1] || 1);
-    return /** @type {Point} */ ([0, 1].map((axis) => line[i - 1][axis] + t * (line[i][axis] - line[i - 1][axis])));
-  });
-}
-
-/**
- * Whether a line is long and wide enough to be a closed curve.
- * @param {readonly Point[]} line document units
- * @param {number} scale pixels for one unit
- */
-function isLoop(line, scale) {
-  let length = 0;
-  for (let i = 1; i < line.length; i += 1) length += Math.hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
-  const span = (/** @type {0 | 1} */ axis) => {
-    const values = line.map((at) => at[axis]);
-    return Math.max(...values) - Math.min(...values);
-  };
-  return length * scale >= SHORTEST && Math.min(span(0), span(1)) * scale >= SMALLEST;
 }

@@ -14,8 +14,8 @@ import { curveName } from "../state/app.js";
 import { scalePoints, turnPoints } from "../state/curve-edits.js";
 import { seen } from "../state/in-space.js";
 import { movedPoints } from "../state/selection.js";
-import { strings } from "../strings.js";
 import { arrowStep, toPlane, toScreen } from "../view.js";
+import { words } from "./frame-words.js";
 
 /** Pixels between the selection and its frame, from the frame to the handle that turns, and from the edge of the canvas. */
 const PAD = 22;
@@ -34,8 +34,6 @@ const SIDES = { nw: [-1, 1], n: [0, 1], ne: [1, 1], e: [1, 0], se: [1, -1], s: [
 
 /** @type {{[key: string]: Point}} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
-const words = strings.frame;
 
 /** @param {App} app */
 export function createFrame(app) {

@@ -9,6 +9,7 @@ import { attribute, find, h, write } from "../dom.js";
 import { fixed, percent } from "../format.js";
 import { icon } from "../icons.js";
 import { devicePixels } from "../painter.js";
+import { isCurves } from "../state/kind.js";
 import { niceBelow, zoomed } from "../view.js";
 
 /** Zoom of one press of a button or key, and how far from the fitted scale one can go. */
@@ -30,12 +31,13 @@ export function zoomLimits(app) {
 }
 
 /**
- * Shows everything, clear of what stands at the upper and the lower edge of the canvas.
+ * Shows everything, clear of what stands at the upper and the lower edge of the canvas. Other workbenches fit what they show when there is no view.
  * @param {App} app
  */
 export async function fit(app) {
   const { size } = app.ui.value;
   if (size.width < 1 || size.height < 1) return;
+  if (!isCurves(app.store.document)) return app.ui.set({ view: null, fitted: true });
   const covered = find("#morph").offsetHeight;
   const above = size.width < PHONE ? SWITCH.narrow : SWITCH.wide;
   const free = { width: size.width, height: Math.max(1, size.height - covered - above) };
@@ -57,8 +59,11 @@ export function zoomBy(app, steps) {
   app.ui.set({ view: zoomed(view, size, middle, STEP ** steps, zoomLimits(app)), fitted: false });
 }
 
-/** @param {App} app */
-export function createZoom(app) {
+/**
+ * @param {App} app
+ * @param {{zoom: HTMLElement, scale: HTMLElement}} [places] of the buttons and of the scale bar
+ */
+export function createZoom(app, { zoom, scale } = { zoom: find("#zoom"), scale: find("#scale") }) {
   const percentage = h("span", { class: "zoom-value number" });
   const button = (/** @type {string} */ face, /** @type {string} */ command) => {
     const element = h(
@@ -72,7 +77,7 @@ export function createZoom(app) {
     return { element, command };
   };
   const switches = [button("grid", "grid"), button("snap", "snap")];
-  find("#zoom").append(
+  zoom.append(
     ...switches.map(({ element }) => element),
     h("span", { class: "zoom-line", "aria-hidden": "true" }),
     button("minus", "zoom-out").element,
@@ -82,7 +87,7 @@ export function createZoom(app) {
   );
   const text = h("span", { class: "number" });
   const bar = h("span", { class: "scale-line" });
-  find("#scale").append(text, bar);
+  scale.append(text, bar);
 
   return {
     render() {

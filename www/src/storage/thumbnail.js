@@ -4,8 +4,8 @@
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument, Size } from "../types.js"
  */
-import { isBody } from "../hyperpatch/kind.js";
 import { imageData } from "../kernel.js";
+import { kindOf } from "../kinds/kinds.js";
 import { devicePixels } from "../painter.js";
 
 /** @type {Size} */
@@ -27,9 +27,9 @@ const PATIENCE = 2000;
 export async function thumbnails(app, document) {
   const signal = AbortSignal.timeout(PATIENCE);
   try {
-    if (isBody(document)) {
-      const { bodyThumbnail } = await import("../hyperpatch/thumbnail.js");
-      const both = await bodyThumbnail(app.kernel, /** @type {any} */ (document), THUMBNAIL, RATIO, signal);
+    const kind = await kindOf(document);
+    if (kind) {
+      const both = await kind.thumbnail(app.kernel, document, THUMBNAIL, RATIO, signal);
       return { light: both, dark: both };
     }
     const { width, height } = THUMBNAIL;

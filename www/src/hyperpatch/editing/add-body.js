@@ -6,7 +6,7 @@
  */
 import { h, write } from "../../dom.js";
 import { problem } from "../../painter.js";
-import { isBody } from "../kind.js";
+import { isOf } from "../../state/kind.js";
 import { words } from "./words.js";
 
 const said = words.build;
@@ -71,7 +71,7 @@ export function addBody(app) {
       return said.notBody;
     }
     const isObject = typeof value === "object" && value !== null;
-    return isObject && isBody(/** @type {any} */ (value)) ? mergeBody(app, /** @type {HyperpatchDocument} */ (value), name) : said.notBody;
+    return isObject && isOf(/** @type {any} */ (value), "hyperpatch") ? mergeBody(app, /** @type {HyperpatchDocument} */ (value), name) : said.notBody;
   }
 
   return {

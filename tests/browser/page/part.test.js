@@ -1,0 +1,263 @@
+/** The workbench Part: what its pictures show, how it is read, its checks, rules side by side, files. */
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { load } from "directrix";
+import { audit } from "../support/axe.js";
+import { onOnePage } from "./one-page.js";
+import { openPage } from "./open.js";
+import { documentOf, drag, eventually, field, pick, spoken, status, uiOf } from "./workbench.js";
+
+/** @import { Page } from "playwright-core" */
+
+const dx = await load();
+
+/** Waits until the part as it stands is painted with all its pixels and measured. @param {Page} page */
+const measured = (page) => page.locator(".part-stage[data-part=measured]").waitFor();
+
+/** Where a place of the plane lies on the screen. @param {Page} page @param {[number, number]} at @returns {Promise<[number, number]>} */
+async function onScreen(page, [x, y]) {
+  const { view } = await uiOf(page);
+  const box = await page.locator(".part-stage").boundingBox();
+  assert.ok(box && view);
+  return [box.x + box.width / 2 + (x - view.center[0]) * view.scale, box.y + box.height / 2 - (y - view.center[1]) * view.scale];
+}
+
+/** The colour of a canvas at a place of the screen. @param {Page} page @param {string} canvas @param {[number, number]} at @returns {Promise<number[]>} */
+const colorAt = (page, canvas, at) =>
+  page.evaluate(
+    ([selector, [px, py]]) => {
+      const source = /** @type {HTMLCanvasElement} */ (document.querySelector(/** @type {string} */ (selector)));
+      const box = source.getBoundingClientRect();
+      const ratio = source.width / box.width;
+      // Read from a copy, because a canvas that is read from often is painted without the graphics card.
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [1, 1];
+      const context = copy.getContext("2d", { willReadFrequently: true });
+      context?.drawImage(source, -Math.floor((Number(px) - box.x) * ratio), -Math.floor((Number(py) - box.y) * ratio));
+      return [...(context?.getImageData(0, 0, 1, 1).data ?? [])];
+    },
+    /** @type {const} */ ([canvas, at]),
+  );
+
+/** What the kernel paints there. @param {any} document @param {[number, number]} at */
+function kernelColor(document, [x, y]) {
+  const { colors } = dx.part(document).evaluate({ box: [[x - 0.01, y - 0.01], [x + 0.01, y + 0.01]], size: [1, 1], colors: true });
+  return [...(colors ?? [])];
+}
+
+/** Waits until the picture has the colours of the kernel at places. @param {Page} page @param {[number, number][]} places */
+async function paintsAsKernel(page, places) {
+  await measured(page);
+  await eventually(async () => {
+    const document = await documentOf(page);
+    for (const at of places) {
+      const [found, wanted] = [await colorAt(page, ".part-stage > .part-picture", await onScreen(page, at)), kernelColor(document, at)];
+      assert.ok(wanted.every((value, k) => Math.abs(value - found[k]) <= 4), `${found}, not ${wanted} at ${at}`);
+    }
+  });
+}
+
+onOnePage(
+  "a part",
+  {
+    async "is painted with the colours of the kernel, verified, and named"(page) {
+      await paintsAsKernel(page, [[10, 50], [60, 12], [80, 50], [15, 25], [29, 31]]);
+      assert.equal(await page.locator("[data-bench=part]").getAttribute("aria-current"), "page");
+      await eventually(async () => assert.match((await status(page)).replaceAll("\u2009", ""), /Broken: red changes slowly[\s\S]*area\s+6000\smm²/));
+      await eventually(async () => assert.match((await page.locator(".part-stage > .part-picture").getAttribute("aria-label")) ?? "", /^Rectangle of two profiles\. 1 body, area 6000/));
+      // A gradient of the fraction red on the whole left edge gives its area within a pixel of the closed form.
+      await eventually(async () => assert.match((await page.locator("[data-part-amount='2']").innerText()).replace(/\s+/g, " "), /yellow 39\d\d mm² 6\d %/));
+      assert.deepEqual(await audit(page), []);
+    },
+
+    async "is read by pointer and by keyboard"(page) {
+      await measured(page);
+      const [x, y] = await onScreen(page, [60, 12]);
+      await page.mouse.move(x + 5, y);
+      await page.mouse.move(x, y);
+      const card = page.locator("[data-part-reading]");
+      const place = dx.part(await documentOf(page)).probe([60, 12]);
+      const green = Math.round(100 * (place?.fractions?.[1] ?? NaN));
+      await eventually(async () => assert.match(await card.innerText(), new RegExp(`(60\\.0|59\\.9)[\\s\\S]*to B\\s+12\\.0.mm[\\s\\S]*green\\s+${green}.%`)));
+      await page.mouse.move(4, 4);
+      await eventually(async () => assert.ok(await card.isHidden()));
+
+      await page.locator("[data-part-keys]").focus();
+      await page.keyboard.press("ArrowRight");
+      await eventually(async () => assert.match(await spoken(page), /^x \S+, y \S+, rectangle, .*%.*nearest [AB], [\d.]+ mm$/));
+      const before = await spoken(page);
+      await page.keyboard.press("Shift+ArrowDown");
+      await eventually(async () => assert.notEqual(await spoken(page), before));
+      await page.keyboard.press("Escape");
+      await eventually(async () => assert.ok(await card.isHidden()));
+    },
+
+    async "has lines of equal fraction, hatched violations and named leaves"(page) {
+      await measured(page);
+      await openGroup(page, "display");
+      await page.locator("[data-select=part-isolines]").selectOption("0");
+      const lines = page.locator("[data-part-isolines]");
+      await eventually(async () => assert.equal(((await lines.getAttribute("d")) ?? "").split("M").length - 1, 9));
+      await eventually(async () => assert.match(await page.locator(".part-told").innerText(), /^red fraction, lines every 0\.1$/));
+      await page.locator("[data-select=part-isolines]").selectOption("");
+      await eventually(async () => assert.ok(await lines.isHidden()));
+
+      // Where red changes too fast it is hatched, and the count is the kernel's.
+      const { rules } = dx.part(await documentOf(page)).violations({ size: [1000, 600] });
+      await openGroup(page, "checks");
+      await eventually(async () => assert.match((await page.locator("[data-broken='0']").innerText()).replaceAll("\u2009", ""), new RegExp(`broken in ${rules[0].count} pixels`)));
+
+      await pick(page, "part-look", "leaves");
+      await openGroup(page, "leaves");
+      await eventually(async () => assert.deepEqual((await page.locator("[data-leaf] .part-name").allInnerTexts()).sort(), ["A", "A ∩ B", "B", "no feature"]));
+      await eventually(async () => assert.match((await page.locator("[data-leaf='0.3']").innerText()).replaceAll("\u2009", ""), /900\smm²/));
+      const at = await onScreen(page, [83, 47]);
+      await eventually(async () => assert.deepEqual(await colorAt(page, ".part-stage > .part-picture", at), [205, 208, 214, 255]));
+      await page.locator("[data-leaf='0.3']").click();
+      await eventually(async () => assert.ok((await colorAt(page, ".part-stage > .part-picture", at))[3] < 128));
+      await page.locator("[data-leaf='0.3']").click();
+      await pick(page, "part-look", "colors");
+      await paintsAsKernel(page, [[80, 50]]);
+    },
+
+    async "shows three rules side by side, of which one is adopted and taken back"(page) {
+      await measured(page);
+      await pick(page, "part-look", "compare");
+      await page.locator("[data-part-rule=printed] .part-rule-differs", { hasText: /by up to \d\d/ }).waitFor();
+      const picture = page.locator("[data-part-rule=repaired] .part-rule-picture");
+      const box = await picture.boundingBox();
+      assert.ok(box);
+      await page.mouse.move(box.x + box.width * 0.9, box.y + box.height * 0.9);
+      for (const rule of ["repaired", "depth", "printed"]) {
+        await eventually(async () => assert.match(await page.locator(`[data-part-rule=${rule}] .part-rule-reading`).innerText(), /green\s+\d+.%/));
+      }
+      // Away from the overlap the printed rule fades the profile that the others keep.
+      const share = async (/** @type {string} */ rule) => Number(/green\s+(\d+)/.exec(await page.locator(`[data-part-rule=${rule}] .part-rule-reading`).innerText())?.[1]);
+      assert.ok((await share("printed")) < (await share("repaired")) - 20, `${await share("printed")} and ${await share("repaired")}`);
+      assert.equal(await share("depth"), await share("repaired"));
+      assert.deepEqual(await audit(page), []);
+
+      await page.locator("[data-rule=printed]").click();
+      await eventually(async () => assert.equal((await documentOf(page)).bodies[0].rule, "printed"));
+      await eventually(async () => assert.equal(await page.locator("[data-rule=printed]").getAttribute("aria-pressed"), "true"));
+      await eventually(async () => assert.match(await spoken(page), /rectangle follows the rule as printed/));
+      await pick(page, "part-look", "colors");
+      await measured(page);
+      await openGroup(page, "display");
+      const at = await onScreen(page, [95, 1]);
+      const plain = await colorAt(page, ".part-stage > .part-picture", at);
+      await page.locator("[data-box=part-difference]").check({ force: true });
+      await eventually(async () => assert.notDeepEqual(await colorAt(page, ".part-stage > .part-picture", at), plain));
+      await page.locator("[data-box=part-difference]").uncheck({ force: true });
+      await eventually(async () => assert.deepEqual(await colorAt(page, ".part-stage > .part-picture", at), plain));
+      await page.locator("[data-action=undo]").click();
+      await eventually(async () => assert.equal((await documentOf(page)).bodies[0].rule, "repaired"));
+      await paintsAsKernel(page, [[95, 1]]);
+    },
+
+    async "is zoomed, panned, fitted, and comes back after a reload and from other workbenches"(page) {
+      await measured(page);
+      const [x, y] = await onScreen(page, [50, 30]);
+      await page.mouse.move(x, y);
+      const { view } = await uiOf(page);
+      await page.mouse.wheel(0, -400);
+      await eventually(async () => assert.ok((await uiOf(page)).view.scale > 1.5 * view.scale));
+      const near = await onScreen(page, [50, 30]);
+      assert.ok(Math.hypot(near[0] - x, near[1] - y) < 1.5, `${near}, not ${[x, y]}`);
+      await drag(page, await onScreen(page, [70, 45]), [30, 20]);
+      await eventually(async () => {
+        const moved = await onScreen(page, [50, 30]);
+        assert.ok(Math.hypot(moved[0] - x - 30, moved[1] - y - 20) < 1.5, String(moved));
+      });
+      await paintsAsKernel(page, [[50, 20]]);
+      const seen = (await uiOf(page)).view;
+
+      await page.locator("[data-bench=curves]").click();
+      await page.locator("#morph").waitFor();
+      await page.locator("[data-bench=part]").click();
+      await measured(page);
+      await eventually(async () => assert.deepEqual((await uiOf(page)).view, seen));
+      await page.reload();
+      await measured(page);
+      await eventually(async () => assert.deepEqual((await uiOf(page)).view, seen));
+      await paintsAsKernel(page, [[50, 20]]);
+      await page.locator(".part-stage > .part-picture").click({ position: { x: 40, y: 120 }, trial: true });
+      await page.keyboard.press("f");
+      await eventually(async () => assert.ok(Math.abs((await uiOf(page)).view.scale - view.scale) < 1e-9));
+    },
+
+    async "is written in files whose pixels and memory are known beforehand"(page) {
+      await measured(page);
+      await page.locator("[data-action=export]").click();
+      const estimate = page.locator("[data-estimate]");
+      await field(page, "part-longer").fill("100");
+      await field(page, "part-longer").press("Enter");
+      await eventually(async () => assert.match(await estimate.innerText(), /^100 × 60 = 6000 pixels, about 1 MiB/));
+      assert.deepEqual(await audit(page), []);
+      const document = await documentOf(page);
+      const bytes = async (/** @type {string} */ ending) => {
+        const [file] = await Promise.all([page.waitForEvent("download"), page.locator("[data-export=download]").click()]);
+        assert.equal(file.suggestedFilename(), `rectangle-of-two-profiles.${ending}`);
+        const content = await readFile(await file.path());
+        // The page is done with it before the next one is asked for.
+        await page.locator("[data-message]", { hasText: `.${ending}` }).waitFor();
+        return content;
+      };
+      const size = /** @type {[number, number]} */ ([100, 60]);
+      assert.ok((await bytes("png")).equals(dx.part(document).file({ format: "png", size })));
+      await pick(page, "part-dither", "blue-noise");
+      assert.ok((await bytes("png")).equals(dx.part(document).file({ format: "png", size, dither: "blue-noise" })));
+      await pick(page, "part-format", "vti");
+      assert.ok((await bytes("vti")).equals(dx.part(document).file({ format: "vti", size })));
+      await pick(page, "part-format", "json");
+      assert.deepEqual(JSON.parse((await bytes("json")).toString()), document);
+
+      // Too many pixels are refused before anything is evaluated.
+      await pick(page, "part-format", "csv");
+      await field(page, "part-pitch").fill("0.01");
+      await field(page, "part-pitch").press("Enter");
+      await eventually(async () => assert.match((await estimate.innerText()).replaceAll("\u2009", ""), /10000 × 6000 = 60000000 pixels.*At most 4194304/));
+      assert.equal(await page.locator("[data-export=download]").getAttribute("aria-disabled"), "true");
+      await page.locator("[data-panel=export] [data-close]").click();
+    },
+  },
+  { hash: "#v=1&preset=part-rectangle", viewport: { width: 1280, height: 800 } },
+);
+
+/** Opens a group of the inspector where it is closed. @param {Page} page @param {string} name */
+async function openGroup(page, name) {
+  const button = page.locator(`[data-group-button=${name}]`);
+  if ((await button.getAttribute("aria-expanded")) !== "true") await button.click();
+  await eventually(async () => assert.equal(await button.getAttribute("aria-expanded"), "true"));
+}
+
+test("every preset opens from the gallery; what is wrong is named; a new part is empty", async (t) => {
+  const page = await openPage(t, { hash: "#v=1&preset=part-coating", viewport: { width: 1280, height: 800 }, colorScheme: "dark" });
+  for (const id of ["base", "references", "lens", "scaffold", "tool", "rectangle"]) {
+    await page.locator("[data-action=gallery]").click();
+    await page.locator(`[data-preset=part-${id}]`).click();
+    await measured(page);
+    await eventually(async () => assert.match((await status(page)).replaceAll("\u2009", ""), /\d pixels|\d\spixels/));
+  }
+  await paintsAsKernel(page, [[10, 50], [60, 12]]);
+  assert.deepEqual(await audit(page), []);
+  await page.locator("[data-action=file]").click();
+  await page.locator("[data-item=new]").click();
+  await page.locator("[data-part-empty]").waitFor();
+  await measured(page);
+  await eventually(async () => assert.deepEqual((await documentOf(page)).bodies, []));
+});
+
+test("on a phone: the features first, a tap reads, three rules on one screen", async (t) => {
+  const page = await openPage(t, { hash: "#v=1&preset=part-rectangle", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await measured(page);
+  assert.equal(await page.locator("[data-tab=tree]").getAttribute("aria-selected"), "true");
+  const [x, y] = await onScreen(page, [60, 12]);
+  await page.touchscreen.tap(x, y);
+  await eventually(async () => assert.match(await page.locator("[data-part-reading]").innerText(), /to B/));
+  await pick(page, "part-look", "compare");
+  for (const rule of ["repaired", "depth", "printed"]) await eventually(async () => assert.ok(await page.locator(`[data-rule=${rule}]`).isVisible()));
+  await page.locator("[data-part-rule=printed] .part-rule-differs", { hasText: /\d/ }).waitFor();
+  assert.deepEqual(await audit(page), []);
+});

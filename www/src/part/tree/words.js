@@ -1,0 +1,58 @@
+/** What a person reads in the feature list of a part. */
+
+/** @type {{[kind: string]: string}} */
+const KINDS = { point: "point", line: "line", segment: "segment", circle: "circle", polygon: "polygon", polyline: "polyline", curve: "curve" };
+
+export const words = {
+  heading: "Features",
+  tree: "Bodies, features and shapes",
+  help: "Arrows go through the list; F2 renames, Delete takes away, Alt and an arrow moves, Shift F10 opens the menu.",
+  add: "Add",
+  standard: "Default",
+  shapes: "Shapes",
+  unnamed: "Feature",
+  unused: "unused",
+  hidden: "hidden",
+  hide: (/** @type {string} */ name) => `Hide ${name}`,
+  show: (/** @type {string} */ name) => `Show ${name}`,
+  open: "Open or close",
+  rename: (/** @type {string} */ name) => `Name of ${name}`,
+  kinds: KINDS,
+  row: {
+    body: (/** @type {string} */ name) => `Body ${name}`,
+    standard: (/** @type {string} */ body, /** @type {string} */ mix) => `Default of ${body}, ${mix}`,
+    feature: (/** @type {string} */ name, /** @type {number} */ place, /** @type {number} */ count, /** @type {string} */ mix) => `${name}, ${place} of ${count} in the queue, ${mix}`,
+    shape: (/** @type {string} */ name, /** @type {string} */ kind) => (name.toLowerCase().includes(kind) ? name : `${name}, ${kind}`),
+    shapes: (/** @type {number} */ count) => `Shapes, ${count}`,
+  },
+  menu: {
+    rename: "Rename",
+    hide: "Hide",
+    show: "Show",
+    duplicate: "Duplicate",
+    up: "Move up",
+    down: "Move down",
+    remove: "Delete",
+    feature: "New feature",
+    featureHere: "New feature here",
+    featureOn: "New feature from this shape",
+    measure: (/** @type {string} */ feature) => `Measure ${feature} to this shape`,
+    body: "New body of this shape",
+    bodyOf: (/** @type {string} */ shape) => `New body of ${shape}`,
+    full: (/** @type {number} */ limit) => `A body has ${limit} features at most`,
+    onlyBody: "The last body stays",
+    measured: (/** @type {readonly string[]} */ names) => `${names.join(", ")} of another body ${names.length === 1 ? "is" : "are"} measured to it`,
+    inUse: (/** @type {number} */ count) => (count === 1 ? "In use in 1 place, which goes with it" : `In use in ${count} places, which go with it`),
+  },
+  spoken: {
+    added: (/** @type {string} */ name) => `${name} added`,
+    removed: (/** @type {string} */ name) => `${name} deleted`,
+    hidden: (/** @type {string} */ name) => `${name} hidden`,
+    shown: (/** @type {string} */ name) => `${name} shown`,
+    moved: (/** @type {string} */ name, /** @type {number} */ place, /** @type {number} */ count, /** @type {string} */ body) => `${name} is ${place} of ${count} in the queue of ${body}`,
+    bodyMoved: (/** @type {string} */ name, /** @type {number} */ place, /** @type {number} */ count) => `${name} is body ${place} of ${count}; later ones lie over earlier ones`,
+    renamed: (/** @type {string} */ name) => `Renamed to ${name}`,
+    taken: (/** @type {string} */ name) => `${name} is taken already`,
+    end: "There is no place further on",
+  },
+};
