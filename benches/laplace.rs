@@ -29,10 +29,16 @@ fn laplace(c: &mut Criterion) {
     let lu = LaplaceOptions { method: Method::Lu, ..LaplaceOptions::default() };
     let free = LaplaceOptions { most_dense: 0, ..LaplaceOptions::default() };
     let gmres = LaplaceOptions::default();
-    for (name, m, options) in [("gmres", 9, gmres), ("gmres", 18, gmres), ("matrix-free", 18, free), ("lu", 9, lu)] {
+    for (name, m, options) in
+        [("gmres", 9, gmres), ("gmres", 18, gmres), ("matrix-free", 18, free), ("lu", 9, lu)]
+    {
         let problem = cube(m);
         group.bench_function(format!("{name} {}", 12 * m * m), |b| {
-            b.iter_batched(|| problem.clone(), |problem| solve(black_box(problem), options), BatchSize::PerIteration)
+            b.iter_batched(
+                || problem.clone(),
+                |problem| solve(black_box(problem), options),
+                BatchSize::PerIteration,
+            )
         });
     }
     let solution = solve(cube(9), gmres).expect("the cube is solved");
