@@ -147,7 +147,7 @@ impl Cloud {
             for l in 0..LANES {
                 let (dx, dy, dz) = (xs[k][l] - x.x, ys[k][l] - x.y, zs[k][l] - x.z);
                 let square = (dx * dx + dy * dy + dz * dz).max(LEAST);
-                sums[l] += weights[k][l] * charges[k][l] / square.sqrt();
+                sums[l] += weights[k][l] * charges[k][l] * inverse_root(square);
             }
         }
     }
@@ -162,7 +162,7 @@ impl Cloud {
             for l in 0..LANES {
                 let (dx, dy, dz) = (xs[k][l] - x.x, ys[k][l] - x.y, zs[k][l] - x.z);
                 let square = (dx * dx + dy * dy + dz * dz).max(LEAST);
-                let near = 1.0 / square.sqrt();
+                let near = inverse_root(square);
                 let across = dx * ps[k][l] + dy * qs[k][l] + dz * rs[k][l];
                 sums[l] += near * (weights[k][l] * singles[k][l] + doubles[k][l] * across * near * near);
             }
@@ -219,9 +219,28 @@ fn ln(x: f32) -> f32 {
     rest - 0.5 * square + rest * square * sum + exponent * LN_2
 }
 
+/// One over the square root of a positive normal number, to 3e-7, by multiplications alone: a guess from the bits of the number, one step of Newton's and one of
+/// the next order. Vector units divide and take roots several times more slowly.
+#[inline(always)]
+fn inverse_root(x: f32) -> f32 {
+    let guess = f32::from_bits(0x5f37_5a86 - (x.to_bits() >> 1));
+    let near = guess * (1.5 - 0.5 * x * guess * guess);
+    let rest = x * near * near;
+    near * (1.875 + rest * (0.375 * rest - 1.25))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_inverse_root_is_that_of_the_library() {
+        for k in 0..20_000 {
+            let x = 10.0_f32.powf(k as f32 / 500.0 - 24.0);
+            let error = f64::from(inverse_root(x)) * f64::from(x).sqrt() - 1.0;
+            assert!(error.abs() < 3e-7, "{error} at {x}");
+        }
+    }
 
     #[test]
     fn the_logarithm_is_that_of_the_library() {
