@@ -80,7 +80,7 @@ mod tests {
                         }
                         let low = place(index)[axis] - middle[axis];
                         let [a, b] = [low.abs(), (low + 1.0).abs()];
-                        [if low <= 0.0 && low >= -1.0 { 0.0 } else { a.min(b) }, a.max(b)]
+                        [if (-1.0..=0.0).contains(&low) { 0.0 } else { a.min(b) }, a.max(b)]
                     })
                     .collect();
                 let norm = |n: usize| along.iter().map(|pair| pair[n] * pair[n]).sum::<f64>().sqrt();
@@ -90,8 +90,8 @@ mod tests {
             let features: Vec<u8> = (0..grid.count()).map(|index| u8::from(meets(index))).collect();
             let found = DistanceJob::new(&grid, &features, None).unwrap().run();
             let (mut at_centers, mut anywhere) = (0.0_f64, 0.0_f64);
-            for index in 0..grid.count() {
-                let digital = f64::from(found[index]);
+            for (index, &digital) in found.iter().enumerate() {
+                let digital = f64::from(digital);
                 let inside = |offset: [f64; 3]| {
                     let at = place(index);
                     away([
