@@ -1,5 +1,6 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
+import { asking as askingLaplace, solving } from "./laplace.js";
 import { merged } from "./merge.js";
 import { packed, valueOf } from "./operations.js";
 import { askingPart, partArguments, partMethods } from "./part.js";
@@ -18,11 +19,12 @@ const FORMATS = ["auto", "svg", "points"];
  *
  * @param {import("./pkg/directrix.js").Engine} engine
  * @param {string} name of the function
+ * @param {string} [shown] as the package calls it
  * @returns {import("./pkg/directrix_full.js").Engine}
  */
-function whole(engine, name) {
+function whole(engine, name, shown = name) {
   if (name in engine) return /** @type {any} */ (engine);
-  throw new DirectrixError("not-in-module", "", `${name} is not in the module "figure"; load the module "full"`);
+  throw new DirectrixError("not-in-module", "", `${shown} is not in the module "figure"; load the module "full"`);
 }
 
 /**
@@ -163,6 +165,13 @@ export function createApi(engine) {
         end: () => ({ distances: ask(() => transform.result()) }),
       };
     });
+  /**
+   * A problem of Laplace's equation, or a question about its solution.
+   *
+   * @param {import("./laplace.js").Work} work
+   * @returns {Work}
+   */
+  const laplace = (work) => ({ step: work.step, end: () => ({ answer: work.answer() }) });
   return {
     match: (document, { coarse = false } = {}) => ask(() => engine.match(toText(document), coarse)),
     stages: (document, options = {}) => ask(() => engine.stages(toText(document), options.refine ?? 1)),
@@ -229,6 +238,11 @@ export function createApi(engine) {
       work.step(Infinity);
       return work.end().distances;
     },
+    solveLaplace(input) {
+      const work = solving(ask(() => whole(engine, "laplace", "solveLaplace")), input, ask);
+      work.step(Infinity);
+      return work.answer();
+    },
     transformSteps: (input) => ask(() => whole(engine, "transformSteps").transformSteps(...transformInput(input))),
     part(document) {
       const text = ask(() => toText(document));
@@ -239,8 +253,12 @@ export function createApi(engine) {
       };
       return { ...answer("part", {}), ...partMethods((question, args) => answer(question, partArguments(question, args))) };
     },
-    job(document, { paint, solid, solidFile, hyperpatch, part, distanceTransform, coarse = paint?.coarse ?? false, greedy = false } = {}) {
-      const free = distanceTransform && transforming(distanceTransform);
+    job(document, options = {}) {
+      const { paint, solid, solidFile, hyperpatch, part, distanceTransform, solveLaplace, coarse = paint?.coarse ?? false, greedy = false } = options;
+      const ofLaplace = options.laplace
+        ? askingLaplace(options.laplace.solution, options.laplace.question, options.laplace, ask)
+        : solveLaplace && solving(ask(() => whole(engine, "laplace", "solveLaplace")), solveLaplace, ask);
+      const free = ofLaplace ? laplace(ofLaplace) : distanceTransform && transforming(distanceTransform);
       const ofPart = part && parted(ask(() => toText(document)), /** @type {any} */ (part.question), part.rest ?? {});
       const asked = free ?? ofPart ?? (hyperpatch && body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {}));
       if (asked) {

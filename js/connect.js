@@ -32,6 +32,10 @@ export async function connect(options = {}) {
       const { remotePart } = await import("./remote-part.js");
       return remotePart((args) => client.call("part", args), document, control);
     },
+    solveLaplace: async (/** @type {any} */ input, /** @type {any} */ control) => {
+      const { remoteLaplace } = await import("./remote-laplace.js");
+      return remoteLaplace((args) => client.call("solveLaplace", args), input, control);
+    },
     close: () => client.close(),
     runsIn: client.runsIn,
     set onrestart(/** @type {(() => void) | undefined} */ listener) {
@@ -198,9 +202,9 @@ export function isControl(value) {
   return "signal" in value || "onprogress" in value || "onsolved" in value;
 }
 
-/** @param {{ code: string, path: string, message: string, at?: [number, number] }} error */
-function revive({ code, path, message, at }) {
-  return new DirectrixError(code, path, message, at);
+/** @param {{ code: string, path: string, message: string, at?: [number, number], place?: number[] }} error */
+function revive({ code, path, message, at, place }) {
+  return new DirectrixError(code, path, message, at, place);
 }
 
 function withResolvers() {

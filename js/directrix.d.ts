@@ -714,7 +714,120 @@ export interface JobOptions extends MatchOptions {
   greedy?: boolean;
   /** A distance transform; the document is left aside. */
   distanceTransform?: TransformInput;
+  /** A problem of Laplace's equation, whatever the document: `answer` is its solution. */
+  solveLaplace?: LaplaceInput;
+  /** A question about a solution: the name of one of its methods and the arguments of it. */
+  laplace?: { solution: LaplaceSolution; question: "at" | "gradientAt" | "section"; first: any; options?: any };
 }
+
+/** What is known on an element: a value or an outward flux; with several materials a number for each. */
+export type LaplaceCondition = { value: number | number[] } | { flux: number | number[] };
+
+/** How the equations are solved; docs/api.md. */
+export interface LaplaceSolver {
+  /** `lu` up to 2000 elements. Default `gmres`. */
+  method?: "gmres" | "lu";
+  /** Default `jacobi`. `ssor` up to 8000 elements. */
+  preconditioner?: "none" | "jacobi" | "ssor";
+  /** Parameter of `ssor`, 0.01 to 1.99. Default 0.5. */
+  omega?: number;
+  /** Iterations after which GMRES starts anew, 1 to 1000. Default 100. */
+  restart?: number;
+  /** The true residual over the right-hand side at which to stop, 1e-12 to 0.1. Default 1e-6. */
+  tolerance?: number;
+  /** 1 to 5000. Default 500. */
+  maxIterations?: number;
+  /** Whether the condition number is estimated, up to 2000 elements. Default false. */
+  condition?: boolean;
+  /** Most elements whose matrix is kept, 0 to 8000; of more it is recomputed in every product. Default 8000. */
+  dense?: number;
+}
+
+/** A boundary with conditions. */
+export interface LaplaceInput {
+  dimension: 2 | 3;
+  /** As many numbers a vertex as there are dimensions. Vertices with equal coordinates are one. */
+  vertices: Float64Array | number[];
+  /** As many vertices an element: segments with the material on their left, triangles counter-clockwise from outside of it. */
+  elements: Uint32Array | number[];
+  /** One for each element, or for each group. */
+  conditions: LaplaceCondition[];
+  /** Of each element the index of its condition. Default: each has its own. */
+  groups?: Uint32Array | number[];
+  /** Whether the materials are fractions that sum to 1. Default false. */
+  composition?: boolean;
+  solver?: LaplaceSolver;
+}
+
+/** What is said about a solution. Lists with an entry for each material leave out the last one of a composition, except `values` and `fluxes`. */
+export interface LaplaceSummary {
+  dimension: 2 | 3;
+  elements: number;
+  materials: number;
+  /** Whether the tolerance was reached for every material. */
+  converged: boolean;
+  /** Iterations for each material; 0 with `lu`. */
+  iterations: number[];
+  /** For each material |b - A x|/|b| after each iteration, from 1 on; with `lu` once. */
+  residuals: Float64Array[];
+  /** The same of the preconditioned residual. */
+  preconditionedResiduals: Float64Array[];
+  /** An estimate of the condition number in the 1-norm, from below; null unless asked for. */
+  condition: number | null;
+  /** Milliseconds. */
+  times: { assembly: number; solve: number };
+  /** For each material a value on each element, and the outward flux; beside jumps of given values fluxes mean nothing. */
+  values: Float64Array[];
+  fluxes: Float64Array[];
+  /** Connected parts of the boundary: 1, and one for each cavity. */
+  parts: number;
+  /** Area or volume. */
+  measure: number;
+  /** Largest share of the full angle that is missing where the boundary is seen from inside or from an element. */
+  closure: number;
+  /** For each material the whole outward flux over its size. */
+  fluxBalance: number[];
+  /** With fluxes alone, the largest share of the whole flux that was missing and was spread evenly; else 0. */
+  imbalance: number;
+  /** Least and greatest value inside, for each material; null where fluxes alone are given. */
+  ranges: ([number, number] | null)[];
+}
+
+/** What is at points. */
+export interface LaplacePoints {
+  /** A number for each material, of gradients one for each dimension as well, one point after the other; NaN outside. */
+  values: Float64Array;
+  /** Points where a value was taken back to the range. */
+  clamped: number;
+  outside: number;
+}
+
+/** Pixels: a corner, two sides, along which pixels and rows run, and their numbers; in the plane `longest` alone gives the box of the boundary. */
+export type LaplaceFrame = { origin: number[]; sides: [number[], number[]]; size: [number, number] } | { longest: number };
+
+/** What is on pixels. */
+export interface LaplaceSection {
+  size: [number, number];
+  /** For each material the value in the middle of each pixel, row by row; NaN outside. */
+  values: Float32Array[];
+  /** Pixels inside. */
+  inside: number;
+  /** Pixels where a value was taken back to the range. */
+  clamped: number;
+}
+
+/** A solution of Laplace's equation. */
+export interface LaplaceSolution extends LaplaceSummary {
+  /** Coordinates one point after the other. A point outside throws the code `outside`, or with `skip` has no numbers. */
+  at(points: Float64Array | number[], options?: { outside?: "refuse" | "skip" }): LaplacePoints;
+  gradientAt(points: Float64Array | number[], options?: { outside?: "refuse" | "skip" }): LaplacePoints;
+  section(frame: LaplaceFrame): LaplaceSection;
+}
+
+/** The same over a connection. */
+export type RemoteLaplaceSolution = LaplaceSummary & {
+  [K in "at" | "gradientAt" | "section"]: Asynchronous<LaplaceSolution[K]>;
+};
 
 /** A grid with features; docs/api.md. */
 export interface TransformInput {
@@ -1195,6 +1308,8 @@ export interface Directrix {
   merge(document: HyperpatchDocument | string, other: HyperpatchDocument | string): HyperpatchDocument;
   /** In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   part(document: PartDocument | string): Part;
+  /** Laplace's equation by boundary elements. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  solveLaplace(input: LaplaceInput): LaplaceSolution;
   /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
   distanceTransform(input: TransformInput): Float32Array;
   /** The transform of a plane of at most 16 384 square pixels as it can be watched, without a limit. Module `full`. */
@@ -1231,9 +1346,10 @@ export interface Control {
 type Asynchronous<F> = F extends (...args: infer A) => infer R ? (...args: [...A, control?: Control]) => Promise<R> : never;
 
 /** The functions of a module in a worker, as promises. */
-export type Connection = { [K in Exclude<keyof Directrix, "job" | "hyperpatch" | "part">]: Asynchronous<Directrix[K]> } & {
+export type Connection = { [K in Exclude<keyof Directrix, "job" | "hyperpatch" | "part" | "solveLaplace">]: Asynchronous<Directrix[K]> } & {
   hyperpatch(document: HyperpatchDocument | string, control?: Control): Promise<RemoteHyperpatch>;
   part(document: PartDocument | string, control?: Control): Promise<RemotePart>;
+  solveLaplace(input: LaplaceInput, control?: Control): Promise<RemoteLaplaceSolution>;
   /** Ends the worker. */
   close(): void;
   /** The worker of the page's own origin, or one made on the page because the package comes from another. */
@@ -1311,6 +1427,8 @@ export type ErrorCode =
   | "self-intersection"
   | "contact"
   | "no-solid"
+  | "mesh"
+  | "outside"
   | "not-in-module"
   | "link"
   | "trap"
@@ -1319,8 +1437,10 @@ export type ErrorCode =
   | "failed";
 
 export class DirectrixError extends Error {
-  constructor(code: string, path: string, message: string, at?: Point);
+  constructor(code: string, path: string, message: string, at?: Point, place?: number[]);
   readonly code: ErrorCode | (string & {});
   readonly path: string;
   readonly at: Point | undefined;
+  /** All coordinates of the place, of problems in the plane or in space. */
+  readonly place: number[] | undefined;
 }

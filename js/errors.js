@@ -9,8 +9,9 @@ export class DirectrixError extends Error {
    * @param {string} path such as `curves[0].points[2][1]`; empty for the whole document
    * @param {string} message
    * @param {[number, number]} [at]
+   * @param {number[]} [place]
    */
-  constructor(code, path, message, at) {
+  constructor(code, path, message, at, place) {
     super(message);
     this.name = "DirectrixError";
     /** @readonly */
@@ -19,6 +20,8 @@ export class DirectrixError extends Error {
     this.path = path;
     /** @readonly @type {[number, number] | undefined} */
     this.at = at;
+    /** @readonly All coordinates of the place, of problems in the plane or in space. @type {number[] | undefined} */
+    this.place = place;
   }
 }
 
@@ -34,8 +37,8 @@ export function fromModule(error) {
     return new DirectrixError("trap", "", `the module stopped: ${error.message}; load it again`);
   }
   if (error instanceof Error && "code" in error && "path" in error) {
-    const { code, path, message, at } = /** @type {any} */ (error);
-    return new DirectrixError(code, path, message, at);
+    const { code, path, message, at, place } = /** @type {any} */ (error);
+    return new DirectrixError(code, path, message, at, place);
   }
   return error;
 }

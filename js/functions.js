@@ -25,4 +25,5 @@ export const FUNCTIONS = /** @type {const} */ ([
   "distanceTransform",
   "transformSteps",
   "part",
+  "solveLaplace",
 ]);

@@ -1,4 +1,5 @@
 /** A call answered in turns: whoever has the thread hears of other things in between. */
+import { postedJob } from "./laplace.js";
 import { toText } from "./text.js";
 
 /** Milliseconds of work in one turn. */
@@ -25,9 +26,10 @@ const GREEDY = new Set(["steps", "sets"]);
 export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
   const [first, ...rest] = args;
   if (UNSOLVED.has(name)) return { value: /** @type {any} */ (dx)[name](...args), spent: 0 };
-  const isOfDocument = name !== "distanceTransform";
+  const isOfDocument = name !== "distanceTransform" && name !== "solveLaplace";
   const text = !isOfDocument ? "" : name === "hyperpatch" ? first : toText(first);
-  const job = dx.job(text, isOfDocument ? goal(name, rest[0]) : { distanceTransform: first });
+  const free = () => (name === "solveLaplace" ? postedJob(dx, first, rest[0]) : dx.job(text, { distanceTransform: first }));
+  const job = isOfDocument ? dx.job(text, goal(name, rest[0])) : free();
   let spent = 0;
   const step = () => {
     const start = performance.now();

@@ -88,7 +88,7 @@ function buffersOf(value) {
 function plain(error) {
   const known = fromModule(error);
   if (known instanceof DirectrixError) {
-    return { code: known.code, path: known.path, message: known.message, at: known.at };
+    return { code: known.code, path: known.path, message: known.message, at: known.at, place: known.place };
   }
   return { code: "failed", path: "", message: known instanceof Error ? known.message : String(known) };
 }

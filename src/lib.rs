@@ -135,6 +135,8 @@ pub mod field;
 pub mod hyperpatch;
 #[cfg(feature = "import")]
 pub mod import;
+#[cfg(feature = "laplace")]
+pub mod laplace;
 #[cfg(feature = "curves")]
 pub mod matching;
 #[cfg(feature = "curves")]

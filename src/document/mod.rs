@@ -19,6 +19,8 @@ mod hyperpatch;
 mod insert_point;
 mod iso_options;
 mod json;
+#[cfg(feature = "laplace")]
+mod laplace_options;
 mod memory;
 mod model;
 mod node;
@@ -66,6 +68,8 @@ pub use hyperpatch::{
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;
+#[cfg(feature = "laplace")]
+pub use laplace_options::{LaplaceInput, LaplaceLists, read_frame};
 pub use memory::Memory;
 pub use model::Model;
 pub(crate) use node::Node;

@@ -18,6 +18,8 @@ mod hyperpatch;
 #[cfg(feature = "import")]
 mod import;
 mod json;
+#[cfg(feature = "laplace")]
+mod laplace;
 mod painting;
 #[cfg(feature = "part")]
 mod part;

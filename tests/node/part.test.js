@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { readFile, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
-import { load } from "directrix";
+import { describePart, load } from "directrix";
+import { unzipSync } from "fflate";
+import { PNG } from "pngjs";
 import { remotePart } from "../../js/remote-part.js";
 import { inTurns } from "../../js/turns.js";
 import { root } from "../../scripts/lib/paths.mjs";
@@ -153,6 +155,58 @@ test("files have what their formats promise", () => {
   for (const options of [{}, { material: 1 }, { material: 1, dither: /** @type {const} */ ("diffusion") }]) {
     assert.equal(text(part.file({ format: "png", size, ...options }).subarray(1, 4)), "PNG");
   }
+});
+
+test("dithered slices of all materials have each pixel once, with the fractions of the part, at a printer's pitch", () => {
+  const part = dx.part(documents.base);
+  const pitch = 0.5;
+  const { size, fractions, body } = part.evaluate({ pitch });
+  assert.deepEqual(size, [240, Math.round((/** @type {any} */ (part.box)[1][1] - /** @type {any} */ (part.box)[0][1]) / pitch)]);
+  const inside = body.filter((number) => number > 0).length;
+  for (const dither of /** @type {const} */ (["diffusion", "blue-noise"])) {
+    const slices = [0, 1, 2].map((material) => PNG.sync.read(Buffer.from(part.file({ format: "png", material, dither, pitch }))).data);
+    const counts = slices.map((slice) => slice.filter((value, n) => n % 4 === 0 && value === 255).length);
+    body.forEach((number, at) => assert.equal(slices.filter((slice) => slice[4 * at] === 255).length, number > 0 ? 1 : 0));
+    fractions.forEach((list, material) => near(counts[material] / inside, list.reduce((sum, each) => sum + each, 0) / inside, 0.004));
+    const archive = unzipSync(part.file({ format: "slices", dither, pitch }));
+    assert.deepEqual(Object.keys(archive), ["1 red.png", "2 green.png", "3 yellow.png"]);
+    Object.values(archive).forEach((bytes, material) => assert.deepEqual(bytes, part.file({ format: "png", material, dither, pitch })));
+  }
+  assert.deepEqual(refusal(() => part.file(/** @type {any} */ ({ format: "csv", dither: "diffusion" }))), { code: "range", path: "options.dither" });
+  assert.deepEqual(refusal(() => part.evaluate({ pitch: 1e-7 })), { code: "limit", path: "options.pitch" });
+});
+
+test("edits in any order, with questions between, equal a part made afresh", () => {
+  /** @type {((document: any) => void)[]} */
+  const edits = [
+    (d) => (d.bodies[0].features[0].to = 22),
+    (d) => (d.bodies[0].features[1].course = { kind: "smoothstep" }),
+    (d) => (d.bodies[0].rule = "depth"),
+    (d) => (d.shapes[1].to = [3, 60]),
+  ];
+  const [forth, back] = [structuredClone(documents.rectangle), structuredClone(documents.rectangle)];
+  for (const edit of edits) {
+    edit(forth);
+    dx.part(forth).leaves({ size: [40, 24] });
+  }
+  for (const edit of [...edits].reverse()) {
+    edit(back);
+    dx.part(back).evaluate({ size: [50, 30] });
+  }
+  const size = /** @type {[number, number]} */ ([60, 36]);
+  assert.deepEqual(dx.part(forth).evaluate({ size }), dx.part(back).evaluate({ size }));
+  assert.deepEqual(dx.part(forth).evaluate({ size }), dx.part({ ...forth, title: "afresh" }).evaluate({ size }));
+});
+
+test("a sentence says what a part is made of and which design rules it breaks", () => {
+  const said = (/** @type {any} */ document) => {
+    const part = dx.part(document);
+    return describePart(part, { materials: document.materials, amounts: part.amounts(), rules: part.violations().rules });
+  };
+  assert.match(said(documents.rectangle), /^1 body, 2 features, red 12\.\d %, green 22\.\d % and yellow 65\.\d %, broken: red changes slowly$/);
+  const faulty = structuredClone(documents.tool);
+  faulty.bodies[0].features[0].reference = "nothing";
+  assert.match(said(faulty), /^1 body, 2 features, 1 left out, tool steel/);
 });
 
 test("a fault is said at the feature, and the rest works", () => {

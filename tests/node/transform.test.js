@@ -58,6 +58,23 @@ test("a transform runs in short steps, whatever the method", () => {
   }
 });
 
+test("the transform that is watched is the one that is found", () => {
+  const next = random(7);
+  const size = /** @type {[number, number]} */ ([21, 17]);
+  const features = Uint8Array.from({ length: 21 * 17 }, () => (next() < 0.03 ? 1 : 0));
+  const { rows, levels, columns } = dx.transformSteps({ size, features });
+  const distances = dx.distanceTransform({ size, features });
+  distances.forEach((distance, n) => assert.ok(Math.abs(Math.sqrt(levels[n]) - distance) < 1e-5));
+  columns.forEach(({ corners, searches }, x) => {
+    for (let y = 0; y < 17; y += 1) {
+      const least = Math.min(...corners.map((from) => rows[from * 21 + x] + (y - from) ** 2));
+      assert.equal(levels[y * 21 + x], least, "the parabolas of the envelope are enough");
+    }
+    assert.ok(searches.every(({ count, reach }) => count >= 1 && count <= reach));
+  });
+  assert.throws(() => dx.transformSteps({ size: [129, 128], features: new Uint8Array(129 * 128) }), (error) => error instanceof DirectrixError && error.code === "limit");
+});
+
 test("wrong input is refused with its path", async () => {
   /** @param {object} input @param {string} code @param {string} path */
   const refused = (input, code, path) =>

@@ -444,6 +444,41 @@ test("bodies stand beside curves on one page: turned once entered, cut, checked,
   });
 });
 
+test("parts are read place by place, brought nearer, and lead to the editor as they are", async () => {
+  const body = `<directrix-figure preset="part-rectangle" controls="full" theme="light">Rectangle</directrix-figure>
+    <directrix-figure preset="part-tool" controls="minimal" theme="dark" alt="A tool">Tool</directrix-figure>`;
+  await visit(browser, host.page(body), {}, async (page) => {
+    const figures = page.locator("directrix-figure");
+    const [first, second] = [figures.nth(0), figures.nth(1)];
+    const label = (/** @type {import("playwright-core").Locator} */ figure) => figure.locator("canvas").getAttribute("aria-label");
+    await eventually(async () => assert.match((await label(first)) ?? "", /^Rectangle of two profiles\. 1 body, 2 features, red 12\.\d %/));
+    await eventually(async () => assert.match((await label(second)) ?? "", /^A tool\. 1 body, 3 features/));
+    const result = await second.evaluate((/** @type {any} */ element) => element.result);
+    assert.deepEqual([result.part.skipped, result.verified], [0, true]);
+    assert.ok(Math.abs(result.part.fractions.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) - 1) < 1e-3);
+    const places = first.locator(".places");
+    const card = first.locator(".card");
+    const box = await places.boundingBox();
+    assert.ok(box);
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await eventually(async () => assert.match(await card.innerText(), /yellow\s+100\.0 %[^]*A\s+50\.00 mm/));
+    await places.focus();
+    await page.keyboard.press("Shift+ArrowDown");
+    const live = () => first.locator(".spoken[aria-live]").innerText();
+    await eventually(async () => assert.match(await live(), /^x 50\.\d\d, y \d+\.\d\d: rectangle, yellow/));
+    await page.keyboard.press("+");
+    await eventually(async () => assert.equal(await live(), "Zoom 150 %"));
+    await first.getByRole("button", { name: "The whole part" }).click();
+    await eventually(async () => assert.equal(await live(), "The whole part"));
+    assert.equal(await first.getByRole("slider").count(), 0, "nothing to be played");
+    await eventually(async () => assert.deepEqual(linked((await stateOf(page)).href), await preset("part/rectangle")));
+    assert.deepEqual(await audit(page), []);
+    await first.evaluate((element) => element.setAttribute("preset", "kidney"));
+    await eventually(async () => assert.equal((await stateOf(page)).result.lines > 10, true));
+    assert.equal(await places.count(), 0, "curves again");
+  });
+});
+
 /** Pixels of a canvas that have the colour of the second material. @param {HTMLCanvasElement} canvas */
 function greens(canvas) {
   const copy = document.createElement("canvas");

@@ -20,7 +20,8 @@ const files = (await readdir(lessonFolder)).filter((file) => file.endsWith(".md"
 const lessons = (await Promise.all(files.map(async (file) => readLesson(file.slice(0, -3), await readFile(`${lessonFolder}/${file}`, "utf8"), documents).lesson)))
   .sort((a, b) => a.order - b.order);
 const [first, , greedy, cell] = /** @type {[Lesson, Lesson, Lesson, Lesson]} */ (lessons);
-const [validity, corner, material] = ["cell-validity", "corner-continuity", "material-continuity"].map((wanted) => /** @type {Lesson} */ (lessons.find(({ name }) => name === wanted)));
+const LATER = ["cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error"];
+const [validity, corner, material, profiles, transform, overlaps, voxels] = LATER.map((wanted) => /** @type {Lesson} */ (lessons.find(({ name }) => name === wanted)));
 
 const control = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`[data-lesson=${name}]`);
 const term = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`.lesson [data-term="${name}"]`).first();
@@ -436,6 +437,43 @@ test("a cell by hand: what is summed at a place, what rides along when a coeffic
     assert.equal(await value("here-1"), "70.0\u00a0%");
   });
 
+  await t.test("a place of a part is read, its limit dragged, and three rules stand beside each other", async () => {
+    await goTo(page, profiles, 1);
+    await eventually(async () => assert.deepEqual([await value("mix-0"), await value("distance")], ["0.600", "20.00 mm"]));
+    await slide("limit", "25.3");
+    await eventually(async () => assert.equal(await value("mix-0"), "0.209"));
+    await control(page, "place").focus();
+    const spot = await control(page, "place").getAttribute("aria-label");
+    await page.keyboard.press("Shift+ArrowLeft");
+    await eventually(async () => assert.notEqual(await control(page, "place").getAttribute("aria-label"), spot));
+    await eventually(async () => assert.ok(Number(await value("mix-0")) > 0.4));
+    await goTo(page, profiles, 2);
+    await eventually(async () => assert.equal(await value("mix-0"), "0.500"));
+    await page.locator("[data-select=lesson-course]").selectOption("power");
+    await eventually(async () => assert.equal(await value("mix-0"), "0.875"));
+    await goTo(page, overlaps, 2);
+    await eventually(async () => assert.deepEqual([await value("here-repaired"), await value("here-printed")], ["0.993", "0.490"]));
+    await page.locator("[data-segment=lesson-overlap] label").nth(2).click();
+    await eventually(async () => assert.notEqual(await value("mix-1"), "0.993"));
+    await control(page, "reset").click();
+    await eventually(async () => assert.equal(await value("mix-1"), "0.993"));
+  });
+
+  await t.test("the transform goes from row to row and from column to column; errors of voxels keep their bound", async () => {
+    await goTo(page, transform, 1);
+    await eventually(async () => assert.equal(await value("pass"), "features"));
+    await slide("pass", "12");
+    await eventually(async () => assert.equal(await value("pass"), "row 12 of 12"));
+    await slide("pass", "18");
+    await eventually(async () => assert.deepEqual([await value("parabolas"), await value("corners")], ["5", "4"]));
+    await goTo(page, transform, 4);
+    await eventually(async () => assert.deepEqual([await value("allowed"), await value("compared")], ["43", "23"]));
+    await goTo(page, voxels, 1);
+    await eventually(async () => assert.match(await value("worst"), /^1\.211 /));
+    await page.locator("[data-segment=lesson-where] label").first().click();
+    await eventually(async () => assert.match(await value("worst"), /^0\.646 /));
+  });
+
   await goTo(page, cell, 5);
   await eventually(async () => assert.equal(await value("verdict"), "valid"));
   // A field shows every digit once it has the focus.
@@ -497,12 +535,12 @@ test("on a phone, in the dark: contents, turning, targets, and nothing wider tha
   await page.locator(".lesson-contents").tap();
   await page.getByRole("link", { name: greedy.title }).tap();
   await shows(page, greedy, 1);
-  for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3], [validity, 3], [corner, 2], [material, 1]])) {
+  for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3], [validity, 3], [corner, 2], [material, 1], [transform, 3], [overlaps, 2], [voxels, 1]])) {
     await goTo(page, lesson, step);
     assert.deepEqual(await audit(page), []);
     const wide = await page.locator(".lesson-scroll").evaluate((element) => element.scrollWidth > element.clientWidth);
     assert.equal(wide, false, `${lesson.name}, step ${step}`);
-    const own = lesson.order < cell.order ? ["mine"] : (lesson === cell && step === 3) || lesson === corner ? ["coefficient"] : [];
+    const own = lesson.order < cell.order ? ["mine"] : (lesson === cell && step === 3) || lesson === corner ? ["coefficient"] : lesson === overlaps ? ["place"] : [];
     for (const name of ["back", "next", "open", "reset", "present", ...own]) {
       const box = await control(page, name).boundingBox();
       assert.ok(box && box.height >= 44, `${name} ${JSON.stringify(box)}`);

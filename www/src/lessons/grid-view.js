@@ -242,7 +242,7 @@ export function createGridFigure(app, host, figure) {
     [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
     const context = canvas.getContext("2d");
     if (!context) return;
-    context.fillStyle = getComputedStyle(passText).getPropertyValue("--accent") || getComputedStyle(host.element).color;
+    context.fillStyle = getComputedStyle(host.element).getPropertyValue("--accent");
     const step = (marks.edge * view.scale * ratio * marks.size[0]) / errors.size[0];
     const [left, top] = toScreen(view, surface.size(), centerOf(marks, -0.5, -0.5)).map((each) => each * ratio);
     errors.errors.forEach((error, n) => {

@@ -33,7 +33,7 @@ import { COURSES, distanceOf, featureOf, materialOf, RULES, ruleRow, withFeature
 import { words } from "./words-part.js";
 
 /** Room round the part, CSS pixels. */
-const MARGIN = 28;
+const MARGIN = 38;
 /** Pixels that are evaluated, at rest and while something is dragged. */
 const MOST = 900_000;
 const MOVING = 90_000;
@@ -202,7 +202,7 @@ export function createPartFigure(app, host, figure) {
     const ends = figure.line ? [seen([figure.line[0], figure.line[1]]), seen([figure.line[2], figure.line[3]])] : [];
     attribute(line, "d", ends.length > 0 ? `M${ends.map(written).join("L")}` : "");
     if (place) {
-      const [x, y] = seen(place).map((each) => each * surface.zoom);
+      const [x, y] = seen(place).map((each) => Math.round(each * surface.zoom));
       handle.style.transform = `translate(${x}px, ${y}px)`;
       attribute(handle, "aria-label", words.place(fixed(place[0], 1), fixed(place[1], 1)));
     }
@@ -261,7 +261,11 @@ export function createPartFigure(app, host, figure) {
     const item = (/** @type {string} */ text, /** @type {string} */ value, /** @type {string} */ own) =>
       h("span", {}, `${text} `, h("span", { class: "strong number", "data-lesson": own }, value));
     status.hidden = figure.controls === "none" || !now.job.place;
-    const shares = (now.found?.fractions ?? []).flatMap((fraction, k) => (fraction >= 5e-4 ? [item(materials[k]?.name ?? "", fixed(fraction, 3), `mix-${k}`)] : []));
+    // By the printed rule a place has what its voxel has, which the reading knows of the material of the feature.
+    const printed = now.rows.find((row) => row.rule === "printed");
+    const asked = materialOf(now.job.document, figure.feature);
+    const fractions = now.found?.fractions ?? (printed ? materials.map((_, k) => (k === asked ? printed.here : 0)) : []);
+    const shares = fractions.flatMap((fraction, k) => (fraction >= 5e-4 ? [item(materials[k]?.name ?? "", fixed(fraction, 3), `mix-${k}`)] : []));
     status.replaceChildren(...(now.found ? shares : [h("span", {}, words.outside)]));
     const length = figure.line ? Math.hypot(figure.line[2] - figure.line[0], figure.line[3] - figure.line[1]) : 1;
     const own = featureOf(now.job.document, figure.feature);

@@ -83,9 +83,6 @@ export const FIRST_SHOWN = {
   witness: null,
 };
 
-/** What is chosen when nothing is. */
-export const NOTHING_CHOSEN = { body: null, feature: null, shape: null, point: null, rule: null, witness: null };
-
 /** What is chosen in a document that has just been opened: its first feature, whose profile is then there to be seen. @param {WholePart} document */
 export function firstChoice({ bodies }) {
   const body = bodies.findIndex(({ features = [] }) => features.length > 0);
