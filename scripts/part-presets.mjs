@@ -75,9 +75,6 @@ const base = part(
       kind: "polyline",
       points: [[35, 30], [0, 30], [0, 0], [120, 0], [120, 30], [85, 30]],
     },
-    { name: "left wall", kind: "segment", from: [35, 30], to: [35, 90] },
-    { name: "right wall", kind: "segment", from: [85, 30], to: [85, 90] },
-    { name: "top", kind: "segment", from: [35, 90], to: [85, 90] },
   ],
   [
     {

@@ -257,3 +257,10 @@ test("the middle of a profile sets its power or its rate", () => {
   assert.deepEqual(throughMiddle({ kind: "linear" }, 0.25), { kind: "power", power: 2 });
   assert.equal(throughMiddle({ kind: "smoothstep" }, 0.25), null);
 });
+
+test("a profile whose limits are in the wrong order has the default everywhere, and no place without a mix", () => {
+  for (const to of [5, 10]) {
+    const { alone } = profileOf({ from: 10, to, start: [0, 1], end: [1, 0] }, [1, 0]);
+    for (const distance of [0, 5, 7, 10, 12]) assert.deepEqual(alone(distance), [1, 0], `${distance} within 10 to ${to}`);
+  }
+});

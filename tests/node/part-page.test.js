@@ -23,7 +23,12 @@ test("frames keep to the box and to the number of pixels", () => {
   const view = { center: /** @type {[number, number]} */ ([50, 30]), scale: 4 };
   const frame = visibleFrame(view, { width: 400, height: 240 }, 2, Infinity);
   assert.deepEqual(frame, { box: [[0, 0], [100, 60]], size: [800, 480] });
+  // What lies beyond the coordinates of a document is not evaluated, in pixels of the same size.
+  const far = visibleFrame({ center: [1e9 - 50, 30], scale: 4 }, { width: 800, height: 240 }, 1, Infinity);
+  assert.deepEqual(far, { box: [[1e9 - 150, 0], [1e9, 60]], size: [600, 240] });
+  assert.equal(visibleFrame({ center: [2e9, 0], scale: 4 }, { width: 800, height: 240 }, 1, Infinity), null);
   const few = visibleFrame(view, { width: 400, height: 240 }, 2, 10_000);
+  assert.ok(frame && few);
   assert.deepEqual(few.box, frame.box);
   assert.ok(few.size[0] * few.size[1] <= 10_000 && few.size[0] * few.size[1] > 9_500, String(few.size));
   assert.deepEqual(wholeFrame(BOX, 1000).size, [1000, 600]);

@@ -307,6 +307,7 @@ test("every preset opens from the gallery; what is wrong is named; a new part is
   await page.locator("[data-part-empty]").waitFor();
   await measured(page);
   await eventually(async () => assert.deepEqual((await documentOf(page)).bodies, []));
+  await eventually(async () => assert.match(await status(page), /^Nothing to evaluate/));
 });
 
 test("on a phone: the features first, a tap reads, three rules on one screen", async (t) => {

@@ -16,6 +16,8 @@ export const FINE = 2_400_000;
 export const LINES = 300_000;
 /** Voxels along the longer side of a part with a body by the rule `printed`, while something moves and when it rests. */
 export const VOXELS = { coarse: 160, fine: 500 };
+/** Largest coordinate of a place that the kernel evaluates, in document units. */
+const FAR = 1e9;
 /** Pixels along the longer side of a part for its measures, where it needs no voxels. */
 export const MEASURED = 1000;
 
@@ -29,19 +31,23 @@ export const coarsePixels = (rate) => (rate === null ? COARSE.first : Math.round
 export const needsVoxels = ({ bodies }) => bodies.some(({ rule }) => rule === "printed");
 
 /**
- * The pixels of what is seen.
+ * The pixels of what is seen, as far as the coordinates of a document go.
  * @param {View} view
  * @param {Size} size CSS pixels
  * @param {number} ratio device pixels for one of them
  * @param {number} most pixels
- * @returns {Frame}
+ * @returns {Frame | null} null where nothing of that is seen
  */
 export function visibleFrame(view, size, ratio, most) {
   const share = Math.min(1, Math.sqrt(most / (size.width * size.height * ratio * ratio)));
-  const pixels = (/** @type {number} */ length) => Math.max(1, Math.floor(length * ratio * share));
+  const within = (/** @type {number} */ value) => Math.min(FAR, Math.max(-FAR, value));
+  const [lowest, highest] = [toPlane(view, size, [0, size.height]), toPlane(view, size, [size.width, 0])];
+  const [left, low, right, top] = [...lowest, ...highest].map(within);
+  if (!(left < right && low < top)) return null;
+  const pixels = (/** @type {number} */ length, /** @type {number} */ part) => Math.max(1, Math.floor(length * ratio * share * part));
   return {
-    box: [toPlane(view, size, [0, size.height]), toPlane(view, size, [size.width, 0])],
-    size: [pixels(size.width), pixels(size.height)],
+    box: [[left, low], [right, top]],
+    size: [pixels(size.width, (right - left) / (highest[0] - lowest[0])), pixels(size.height, (top - low) / (highest[1] - lowest[1]))],
   };
 }
 

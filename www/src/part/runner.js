@@ -27,6 +27,8 @@ import { coarsePixels, FINE, LINES, MEASURED, needsVoxels, thinned, visibleFrame
 const REST = 180;
 /** Share of a new measurement in the mean speed. */
 const FOLLOW = 0.4;
+/** What is evaluated where nothing is seen. @type {Frame} */
+const NOTHING = { size: [1, 1], box: [[0, 0], [1, 1]] };
 /** Lines of equal fraction every tenth, and every fifth while something moves. */
 const LEVELS = { fine: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9], coarse: [0.2, 0.4, 0.6, 0.8] };
 
@@ -100,9 +102,8 @@ export function createRunner(app, { changed, refused, interrupted }) {
   async function look(part, job, control) {
     const frame = frameOf(part, job);
     const { shown, isFine, document } = job;
-    const empty = { size: /** @type {[number, number]} */ ([1, 1]), box: visibleFrame(job.view, job.size, 1, 1).box };
     const started = performance.now();
-    const at = frame ?? empty;
+    const at = frame ?? NOTHING;
     // Of a part with voxels, and where only lines or hatching are asked for, the same pixels are there already.
     const same = latest?.document === document && isSame(latest.raster, at) ? latest : null;
     const raster = same?.raster ?? (await part.evaluate({ ...at, colors: true }, control));

@@ -26,17 +26,19 @@ export function renderStatus(bench, element, { reason, cancel, retry }) {
   const faults = known && isCurrent ? faultsOf(known) : null;
   const count = faults ? faults.skipped.length + faults.broken.length + (faults.isMixed ? 0 : 1) : 0;
   const verdict = reason !== null ? "error" : !faults ? "none" : count > 0 ? "problems" : "verified";
+  // Of no pixel at all nothing is verified.
+  const tried = measured?.pixels ? measured : null;
   const left =
     reason !== null
       ? [h("span", { class: "failed reason", "data-reason": "" }, reason)]
       : known
         ? [
-            ...(faults && count > 0 ? problems(faults) : faults && measured ? [h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), h("span", { class: "strong" }, words.status.verified))] : []),
+            ...(faults && count > 0 ? problems(faults) : faults && measured && !tried ? [h("span", { class: "strong" }, words.status.nothing)] : faults && measured ? [h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), h("span", { class: "strong" }, words.status.verified))] : []),
             item("pixels", strong(fixed(known.raster.size[0] * known.raster.size[1], 0)), label(words.status.pixels)),
             measured && item("area", label(words.status.area), strong(measure(measured.area, unit, 2))),
-            measured && item("sum", label(words.status.sum), strong(isOne(measured.sumError) ? "1" : `1 ± ${significantText(measured.sumError)}`)),
-            measured && item("clamped", label(words.status.clamped), strong(fixed(measured.clamped, 0))),
-            measured && faults && item("violations", label(words.status.violations), strong(fixed(faults.broken.length, 0))),
+            tried && item("sum", label(words.status.sum), strong(isOne(tried.sumError) ? "1" : `1 ± ${significantText(tried.sumError)}`)),
+            tried && item("clamped", label(words.status.clamped), strong(fixed(tried.clamped, 0))),
+            tried && faults && item("violations", label(words.status.violations), strong(fixed(faults.broken.length, 0))),
             item("ms", strong(milliseconds(known.ms)), label(words.status.ms)),
           ].filter((node) => node !== null)
         : [label(words.loading)];

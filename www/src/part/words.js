@@ -43,6 +43,7 @@ export const words = {
   },
   status: {
     verified: "Verified",
+    nothing: "Nothing to evaluate",
     pixels: "pixels",
     area: "area",
     sum: "fractions sum to",

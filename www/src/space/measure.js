@@ -8,9 +8,14 @@ import { significant } from "../format.js";
  * @param {2 | 3} power
  */
 export function measure(value, unit, power) {
-  const { mantissa, exponent } = significant(value);
-  const number = exponent === null ? mantissa : `${mantissa} × 10${raised(exponent)}`;
+  const number = numberText(value);
   return unit === "" ? number : `${number}\u00a0${unit}${power === 2 ? "²" : "³"}`;
+}
+
+/** Three significant figures, in powers of ten when small or large. @param {number} value */
+export function numberText(value) {
+  const { mantissa, exponent } = significant(value);
+  return exponent === null ? mantissa : `${mantissa} × 10${raised(exponent)}`;
 }
 
 /** @param {string} exponent */

@@ -71,7 +71,7 @@ export function profileOf(feature, standard) {
     taper,
     plain,
     alone(distance) {
-      if (distance < from || distance > to) return [...standard];
+      if (distance < from || distance > to || to === from) return [...standard];
       const mix = plain((distance - from) / width);
       const nearest = Math.min(meets[0] ? Infinity : distance - from, meets[1] ? Infinity : to - distance);
       return nearest === Infinity ? mix : blend(standard, mix, smoothstep(nearest / taper));

@@ -398,7 +398,8 @@ function profileGroup(bench) {
   }
 
   /** @param {Profile} profile @param {boolean} isPrinted @param {string} unit */
-  function renderVerdict({ from: low, meets, taper }, isPrinted, unit) {
+  function renderVerdict({ from: low, to, meets, taper }, isPrinted, unit) {
+    verdict.hidden = to <= low;
     const isMet = meets[0] && meets[1];
     tick.hidden = !isMet;
     meet.hidden = isMet;

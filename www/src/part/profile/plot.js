@@ -37,11 +37,14 @@ import { newRun } from "../../controls/run.js";
 import { attribute, h, svg } from "../../dom.js";
 import { fixed, percent } from "../../format.js";
 import { mixed } from "../../oklab.js";
+import { numberText } from "../../space/measure.js";
 import { keysOf } from "../edits/features.js";
 import { hasMiddle } from "./course.js";
 import { HEIGHT, nice, reachOf, rounded, scalesOf } from "./axes.js";
 import { words } from "./words.js";
 
+/** Distances at the end of the axis, and steps between its numbers, from which on they are powers of ten. */
+const LONG = { most: 1e5, least: 1e-4 };
 /** Places at which the curve is drawn, and stops of the colours under it. */
 const PLACES = 240;
 const STOPS = 60;
@@ -205,7 +208,7 @@ export function createPlot(moves) {
     plotted = next;
     const { feature, standard, isPrinted, materials, involved, unit, chosen } = next;
     const [material] = involved;
-    scales = scalesOf(element.clientWidth || 272, held ?? reachOf(feature.to));
+    scales = scalesOf(element.clientWidth || 272, held ?? reachOf(Math.max(feature.from ?? 0, feature.to)));
     handles = handlesOf(next);
     const key = JSON.stringify([feature, standard, isPrinted, involved, materials, scales.most, scales.frame, unit]);
     if (key !== drawn) {
@@ -249,7 +252,7 @@ export function createPlot(moves) {
     const { from, to } = profile;
     const width = to - from;
     const inside = (/** @type {number} */ d) => profile.plain(Math.min(1, Math.max(0, (d - from) / width)));
-    const alone = (/** @type {number} */ d) => (isPrinted ? (d < from || d > to ? [...standard] : inside(d)) : profile.alone(d));
+    const alone = (/** @type {number} */ d) => (isPrinted && to > from && d >= from && d <= to ? inside(d) : profile.alone(d));
     picture.setAttribute("width", String(frame.right + 10));
     // Limits are drawn from both sides, so that a jump is upright.
     const even = Array.from({ length: PLACES + 1 }, (_, n) => (most * n) / PLACES);
@@ -288,9 +291,9 @@ export function createPlot(moves) {
       );
     }
     // What it would be without being led to the default.
-    const offends = profile.meets.some((isMet) => !isMet) && !isPrinted;
+    const offends = to > from && profile.meets.some((isMet) => !isMet) && !isPrinted;
     const within = places.filter((d) => d >= from && d <= to);
-    plain.setAttribute("d", offends && within.length > 1 ? `M${within.map((d) => point(d, inside(d)[material])).join("L")}` : "");
+    plain.setAttribute("d", offends ? `M${within.map((d) => point(d, inside(d)[material])).join("L")}` : "");
     const ticks = Array.from({ length: Math.round(most / tick) + 1 }, (_, n) => rounded(n * tick, tick));
     grid.replaceChildren(
       ...[1, 0.5].map((fraction) => svg("path", { d: `M${frame.left} ${y(fraction)}H${frame.right}`, class: "plot-dashed" })),
@@ -305,9 +308,11 @@ export function createPlot(moves) {
       node.style.top = `${top}px`;
       return node;
     };
+    // Powers of ten take more room, so that every other number has to do.
+    const isLong = most >= LONG.most || tick < LONG.least;
     labels.replaceChildren(
       ...[0, 0.5, 1].map((fraction) => label(String(fraction), "share", frame.left, y(fraction))),
-      ...ticks.map((d) => label(fixed(d, decimalsOf(tick)), "tick", x(d), frame.bottom)),
+      ...ticks.filter((_, n) => !isLong || n % 2 === 0).map((d) => label(isLong ? numberText(d).replace(/\.?0+(?= )/, "") : fixed(d, decimalsOf(tick)), "tick", x(d), frame.bottom)),
       label(words.plot.short.to, x(to) > frame.right - 40 ? "name before" : "name", x(to), frame.top - 18),
       ...(from > 0 && x(to) - x(from) > 60 ? [label(words.plot.short.from, "name", x(from), frame.top - 18)] : []),
     );

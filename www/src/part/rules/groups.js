@@ -38,13 +38,19 @@ function overlapGroup(bench) {
   const of = h("p", { class: "part-label" });
   const means = h("p", { class: "part-note" });
   const order = h("span", { class: "fact", "data-part-order": "" });
+  const none = h("p", { class: "part-note" }, words.noBody);
+  const rows = h("div", {}, of, choice.element, means, row(words.order, { element: order }));
   return {
     name: "overlap",
     heading: words.groups.overlap,
-    body: h("div", {}, of, choice.element, means, row(words.order, { element: order })),
-    phrase: () => words.rules[bodyOf(bench).body?.rule ?? "repaired"].toLowerCase(),
+    body: h("div", {}, none, rows),
+    phrase() {
+      const { body } = bodyOf(bench);
+      return body ? words.rules[body.rule ?? "repaired"].toLowerCase() : words.noneShort;
+    },
     render() {
       const { body, several } = bodyOf(bench);
+      [none.hidden, rows.hidden] = [body !== undefined, body === undefined];
       if (!body) return;
       const { rule = "repaired" } = body;
       choice.set(rule);
@@ -72,6 +78,7 @@ function defaultGroup(bench) {
     body: h("div", {}, about, mixing.element),
     phrase() {
       const { document } = bench.now();
+      if (document.bodies.length === 0) return words.noneShort;
       const materials = materialsOf(document);
       return defaultOf(document, bodyOf(bench).index)
         .flatMap((fraction, k) => (fraction > 0 && materials[k] ? [fraction === 1 ? materials[k].name : `${materials[k].name} ${percent(fraction)}`] : []))
@@ -80,7 +87,8 @@ function defaultGroup(bench) {
     render() {
       const { document } = bench.now();
       const { index, body } = bodyOf(bench);
-      if (!body) return;
+      mixing.element.hidden = !body;
+      if (!body) return write(about, words.noBody);
       write(about, words.standard.about(body.name));
       const materials = materialsOf(document);
       const used = materials.map((_, k) => k).filter((k) => isUsed(document, k));

@@ -11,6 +11,8 @@ export const words = {
     depth: "Features share by how deep a place lies in their bands: long bands beat short ones.",
     printed: "Eq. 2 of the paper, literally, on the pixels: a feature fades away from an overlap.",
   }),
+  noBody: "There is no body yet. Draw the outline of one.",
+  noneShort: "none",
   order: "Order",
   noOrder: "does not matter",
   oneOnly: "only one feature acts",
