@@ -69,7 +69,8 @@ enum Work {
 #[derive(Debug)]
 enum Levels {
     Lengths(Vec<f64>),
-    Window(Window),
+    /// With the distance of each square.
+    Window(Window, Vec<f32>),
 }
 
 impl DistanceJob {
@@ -121,7 +122,11 @@ impl DistanceJob {
                 false => Work::Lengths(job),
             },
             Work::Window(mut job) => match job.step(may_go_on) {
-                true => Work::Gathering(Levels::Window(job), Vec::new()),
+                true => {
+                    let within = (0..job.beyond()).map(|level| self.distance(level as f64));
+                    let table = within.chain([f32::INFINITY]).collect();
+                    Work::Gathering(Levels::Window(job, table), Vec::new())
+                }
                 false => Work::Window(job),
             },
             Work::Rooting(mut levels, next) => {
@@ -138,11 +143,8 @@ impl DistanceJob {
                         found.extend(all.iter().skip(next).take(BATCH).map(|level| self.distance(*level)));
                         all.len()
                     }
-                    Levels::Window(job) => {
-                        let distance = |level: Option<u16>| {
-                            level.map_or(f32::INFINITY, |it| self.distance(f64::from(it)))
-                        };
-                        found.extend(job.levels(next, BATCH).map(distance));
+                    Levels::Window(job, table) => {
+                        found.extend(job.levels(next, BATCH).map(|level| table[level]));
                         job.count()
                     }
                 };

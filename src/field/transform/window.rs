@@ -74,14 +74,17 @@ impl Window {
         self.data.len()
     }
 
-    /// The squared distance of so many voxels from the first one named on, `None` beyond the limit, once [`step`](Self::step) has returned true.
-    pub fn levels(&self, first: usize, count: usize) -> impl Iterator<Item = Option<u16>> + '_ {
-        let most = self.most;
-        self.data
-            .iter()
-            .skip(first)
-            .take(count)
-            .map(move |level| (*level <= most).then_some(level.unsigned_abs()))
+    /// Stands for what lies beyond the limit: one more than the greatest square within it.
+    #[must_use]
+    pub fn beyond(&self) -> usize {
+        usize::from(self.most.unsigned_abs()) + 1
+    }
+
+    /// The squared distance of so many voxels from the first one named on, or [`beyond`](Self::beyond), once [`step`](Self::step) has returned true.
+    pub fn levels(&self, first: usize, count: usize) -> impl Iterator<Item = usize> + '_ {
+        let end = self.data.len().min(first + count);
+        let beyond = self.most + 1;
+        self.data[first..end].iter().map(move |level| usize::from((*level).min(beyond).unsigned_abs()))
     }
 
     fn advance(&mut self) {
@@ -157,19 +160,31 @@ fn first_pass(row: &mut [i16], reach: usize) {
     }
 }
 
-/// A row from those of its layer within the limit.
+/// A row from those of its layer within the limit, four of them at a time, so that it is read and written once for four.
 fn gather(row: &mut [i16], layer: &[i16], least: &[i16], at: usize, reach: usize, most: i16) {
     let nx = row.len();
+    let mut near = [(0, 0); 2 * LONGEST_WINDOW];
+    let mut count = 0;
     for away in 1..=reach {
         let square = (away * away) as i16;
         let both = [at.checked_sub(away), at.checked_add(away).filter(|other| *other < least.len())];
         for other in both.into_iter().flatten() {
-            if least[other] > most - square {
-                continue;
+            if least[other] <= most - square {
+                near[count] = (other, square);
+                count += 1;
             }
-            for (value, from) in row.iter_mut().zip(&layer[other * nx..][..nx]) {
-                *value = (*value).min(*from + square);
-            }
+        }
+    }
+    for four in near[..count].chunks(4) {
+        // The last of fewer than four counts again, which changes nothing.
+        let [a, b, c, d] = [0, 1, 2, 3].map(|n: usize| four[n.min(four.len() - 1)]);
+        let of = |(other, _): (usize, i16)| &layer[other * nx..][..nx];
+        for ((((value, from_a), from_b), from_c), from_d) in
+            row.iter_mut().zip(of(a)).zip(of(b)).zip(of(c)).zip(of(d))
+        {
+            let nearer = (*from_a + a.1).min(*from_b + b.1);
+            let farther = (*from_c + c.1).min(*from_d + d.1);
+            *value = (*value).min(nearer).min(farther);
         }
     }
 }
@@ -179,10 +194,15 @@ mod tests {
     use super::super::test_grids::{brute_force, random_features, sizes};
     use super::*;
 
-    fn run(grid: &Grid, limit: f64, features: &[u8]) -> Vec<Option<u16>> {
+    fn run(grid: &Grid, limit: f64, features: &[u8]) -> Vec<Option<usize>> {
         let mut job = Window::new(grid, limit, |index| features[index] != 0);
         assert!(job.step(&mut || true));
-        job.levels(0, job.count()).collect()
+        found(&job)
+    }
+
+    /// None beyond the limit.
+    fn found(job: &Window) -> Vec<Option<usize>> {
+        job.levels(0, job.count()).map(|level| Some(level).filter(|it| *it < job.beyond())).collect()
     }
 
     #[test]
@@ -198,7 +218,7 @@ mod tests {
                 (LONGEST_WINDOW as f64, 0.003),
             ] {
                 let features = random_features(&grid, share, seed);
-                let within = |level: f64| (level <= limit * limit).then_some(level as u16);
+                let within = |level: f64| (level <= limit * limit).then_some(level as usize);
                 let expected: Vec<_> =
                     brute_force(&grid, &features).into_iter().map(|(level, _)| within(level)).collect();
                 assert_eq!(run(&grid, limit, &features), expected, "{size:?}, {limit}");
@@ -227,6 +247,6 @@ mod tests {
             steps += 1;
         }
         assert_eq!(steps, 3 * 45);
-        assert_eq!(job.levels(0, job.count()).collect::<Vec<_>>(), run(&grid, 6.3, &features));
+        assert_eq!(found(&job), run(&grid, 6.3, &features));
     }
 }

@@ -14,6 +14,7 @@
 import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed, percent } from "../format.js";
 import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
+import { put } from "../stage/mark.js";
 import { bodyOf } from "./document.js";
 import { sign } from "./verdict.js";
 import { words } from "./words.js";
@@ -32,12 +33,6 @@ export function createMarks(app) {
   /** Verdicts that badges have now. */
   let badged = "";
   const card = h("div", { class: "probe", "aria-hidden": "true", hidden: true, "data-body-reading": "" });
-
-  /** @param {SVGElement} mark @param {Point | null} at */
-  function put(mark, at) {
-    mark.style.display = at ? "" : "none";
-    if (at) attribute(mark, "transform", `translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`);
-  }
 
   return {
     marks,

@@ -19,7 +19,8 @@ import { putShape } from "../state/curve-edits.js";
 import { whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { boxOf, firstChoice, MOST, sizeOf } from "./choose.js";
-import { drawPreview, frameOf, thumbnail } from "./picture.js";
+import { drawPreview, frameOf } from "./picture.js";
+import { shapeRow } from "./shape-row.js";
 import { words } from "./words.js";
 
 /** Tolerances in per cent of the size of a shape: the ends of the slider, which goes by factors, and the first one. */
@@ -34,7 +35,6 @@ const EXACT = 1e-9;
 const DIGITS = 0.01;
 
 const PREVIEW = { width: 326, height: 176 };
-const THUMBNAIL = { width: 40, height: 32 };
 
 /** @typedef {FittedCurve | {message: string} | null} Fitted null while it is being fitted */
 
@@ -60,18 +60,7 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
   // Drawings have their origin in a corner of the page.
   let centered = !isList;
 
-  const rows = shapes.map((shape, index) => {
-    const result = h("span", { class: "import-result", id: `import-result-${index}` });
-    const box = checkBox({ name: `import-${index}`, text: [shape.name] }, (on) => toggle(index, on));
-    box.element.querySelector("input")?.setAttribute("aria-describedby", result.id);
-    const element = h(
-      "li",
-      { class: "import-shape", "data-shape": String(index) },
-      /** @type {any} */ (thumbnail(shape.points, THUMBNAIL.width, THUMBNAIL.height)),
-      h("span", { class: "import-names" }, box.element, result),
-    );
-    return { element, result, box };
-  });
+  const rows = shapes.map((shape, index) => shapeRow(shape, index, (on) => toggle(index, on)));
 
   const preview = svg("svg", { class: "import-preview", viewBox: `0 0 ${PREVIEW.width} ${PREVIEW.height}`, "aria-hidden": "true" });
   const toleranceText = h("span", { class: "import-percent" });

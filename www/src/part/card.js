@@ -5,9 +5,10 @@
  * @import { PartReading } from "./reading.js"
  * @import { WholePart } from "./document.js"
  */
-import { attribute, h, svg } from "../dom.js";
+import { h, svg } from "../dom.js";
 import { coordinate, fixed, length, percent } from "../format.js";
 import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
+import { put } from "../stage/mark.js";
 import { words } from "./words.js";
 
 /** Features and materials named in the card. */
@@ -21,12 +22,6 @@ export function createCard() {
   const card = h("div", { class: "probe part-card", "aria-hidden": "true", hidden: true, "data-part-reading": "" });
   /** @type {PartReading | null} */
   let filled = null;
-
-  /** @param {SVGElement} mark @param {Point | null} at */
-  function put(mark, at) {
-    mark.style.display = at ? "" : "none";
-    if (at) attribute(mark, "transform", `translate(${at[0].toFixed(1)} ${at[1].toFixed(1)})`);
-  }
 
   return {
     marks,

@@ -14,7 +14,8 @@ import { h, svg, write } from "../../dom.js";
 import { editable, fixed, significantText } from "../../format.js";
 import { openPanel } from "../../frame/panel.js";
 import { boxOf, sizeOf } from "../../import/choose.js";
-import { drawPreview, frameOf, thumbnail } from "../../import/picture.js";
+import { drawPreview, frameOf } from "../../import/picture.js";
+import { shapeRow } from "../../import/shape-row.js";
 import { words as common } from "../../import/words.js";
 import { problem } from "../../painter.js";
 import { partOf } from "../document.js";
@@ -32,7 +33,6 @@ const COARSEST = 5;
 const FIRST = 0.2;
 const STEPS = 100;
 const PREVIEW = { width: 326, height: 176 };
-const THUMBNAIL = { width: 40, height: 32 };
 
 /** @typedef {{shape: PartShape} | {message: string} | null} Made null while it is being made */
 
@@ -59,22 +59,13 @@ export function showPartImport(app, name, found, isList) {
   /** @type {Map<number, Made>} */
   const made = new Map();
 
-  const rows = shapes.map((shape, index) => {
-    const result = h("span", { class: "import-result", id: `import-result-${index}` });
-    const box = checkBox({ name: `import-${index}`, text: [shape.name] }, (on) => {
+  const rows = shapes.map((shape, index) =>
+    shapeRow(shape, index, (on) => {
       if (on) chosen.add(index);
       else chosen.delete(index);
       change(() => {});
-    });
-    box.element.querySelector("input")?.setAttribute("aria-describedby", result.id);
-    const element = h(
-      "li",
-      { class: "import-shape", "data-shape": String(index) },
-      /** @type {any} */ (thumbnail(shape.points, THUMBNAIL.width, THUMBNAIL.height)),
-      h("span", { class: "import-names" }, box.element, result),
-    );
-    return { element, result, box };
-  });
+    }),
+  );
   const preview = svg("svg", { class: "import-preview", viewBox: `0 0 ${PREVIEW.width} ${PREVIEW.height}`, "aria-hidden": "true" });
   const kind = segment(
     { label: words.as, name: "import-as", choices: /** @type {("polygon" | "curve")[]} */ (["polygon", "curve"]).map((value) => ({ value, text: words[value] })) },
