@@ -275,8 +275,26 @@ async function openGroup(page, name) {
   await eventually(async () => assert.equal(await button.getAttribute("aria-expanded"), "true"));
 }
 
+/** Lets a test have the module stop at the next question about a part, and hold questions back so that they take as long as it wants. */
+const WORKER = `{
+  const Real = Worker;
+  globalThis.Worker = class extends Real {
+    postMessage(message, ...rest) {
+      const isQuestion = message.type === "call" && message.name === "part";
+      if (isQuestion && globalThis.hold) return;
+      if (isQuestion && globalThis.failNext) {
+        globalThis.failNext = false;
+        const error = { code: "trap", path: "", message: "unreachable" };
+        this.onmessage?.({ data: { type: "error", id: message.id, error } });
+        return;
+      }
+      super.postMessage(message, ...rest);
+    }
+  };
+}`;
+
 test("every preset opens from the gallery; what is wrong is named; a new part is empty", async (t) => {
-  const page = await openPage(t, { hash: "#v=1&preset=part-coating", viewport: { width: 1280, height: 800 }, colorScheme: "dark" });
+  const page = await openPage(t, { hash: "#v=1&preset=part-coating", viewport: { width: 1280, height: 800 }, colorScheme: "dark", init: WORKER });
   for (const id of ["base", "references", "lens", "scaffold", "tool", "rectangle"]) {
     await page.locator("[data-action=gallery]").click();
     await page.locator(`[data-preset=part-${id}]`).click();
@@ -285,6 +303,20 @@ test("every preset opens from the gallery; what is wrong is named; a new part is
   }
   await paintsAsKernel(page, [[10, 50], [60, 12]]);
   assert.deepEqual(await audit(page), []);
+
+  // A module that stops, and a person who gives up, leave the edit in the document, and another try shows it.
+  for (const [fault, rule, said] of /** @type {const} */ ([["failNext", "depth", /started again/], ["hold", "repaired", /Cancelled/]])) {
+    await page.evaluate(`globalThis.${fault} = true`);
+    await pick(page, "part-rule", rule);
+    if (fault === "hold") await page.locator("#status [data-command=cancel]").click();
+    await eventually(async () => assert.match(await status(page), said));
+    await page.evaluate(`globalThis.${fault} = false`);
+    await page.locator("#status [data-command=retry]").click();
+    await measured(page);
+    await eventually(async () => assert.doesNotMatch(await status(page), said));
+    assert.equal((await documentOf(page)).bodies[0].rule, rule);
+  }
+  await paintsAsKernel(page, [[15, 25]]);
 
   const dropped = await page.evaluateHandle((text) => {
     const data = new DataTransfer();

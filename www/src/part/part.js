@@ -2,6 +2,7 @@
  * The workbench Part: bodies in the plane whose composition is a function of the distances to features.
  *
  * @import { App } from "../state/app.js"
+ * @import { Point } from "../types.js"
  * @import { Bench, Known, Shown } from "./state.js"
  */
 import "../../styles/modes.css";
@@ -41,6 +42,9 @@ const KIND = "part";
 const REST = 250;
 /** CSS pixels round a part that is fitted into the picture: at the upper edge and at the sides. */
 const ROOM = { top: 56, side: 40 };
+
+/** What is seen of a part without shapes, in its unit. @type {[Point, Point]} */
+const EMPTY = [[-50, -50], [50, 50]];
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["tree", "feature", "profile", "overlap", "display"], tab: "tree" };
@@ -255,7 +259,7 @@ function openWorkbench(app) {
   /** Shows all shapes, clear of what stands at the edges. */
   function fit() {
     const { width, height } = ui.value.size;
-    const [[left, low], [right, high]] = extentOf(partOf(app)) ?? [[-1, -1], [1, 1]];
+    const [[left, low], [right, high]] = extentOf(partOf(app)) ?? EMPTY;
     const [wide, tall] = [width - 2 * ROOM.side, height - ROOM.top - foot.offsetHeight];
     const [across, up] = [right - left, high - low];
     const found = Math.min(Math.max(1, wide) / across, Math.max(1, tall) / up);

@@ -365,6 +365,8 @@ export function createDraw(bench, stage, first, over) {
       const reach = event.pointerType === "touch" ? REACH.touch : REACH.mouse;
       pointer = null;
       cross = null;
+      // Enter and Backspace are meant for what is drawn, also after a choice in the bar.
+      keyboard.focus({ preventScroll: true });
       const enough = points.length >= NEEDS[drawn].fewest;
       const isFirst = isChain(drawn) && closes() && enough && isOn(at, points[0], reach);
       // The second half of a double click lands on the point that the first half has set.

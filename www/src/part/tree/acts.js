@@ -164,7 +164,10 @@ export function createActs(bench, list) {
   }
 
   /** What is not to be had says why. @param {number} body */
-  const room = (body) => (queueOf(doc().bodies[body]).length >= FEATURE_LIMIT ? { disabled: true, line: words.menu.full(FEATURE_LIMIT) } : {});
+  const room = (body) => {
+    const line = !doc().bodies[body] ? words.menu.noBody : queueOf(doc().bodies[body]).length >= FEATURE_LIMIT ? words.menu.full(FEATURE_LIMIT) : null;
+    return line === null ? {} : { disabled: true, line };
+  };
 
   /** The menu of a row. @param {Row} row @returns {(Item | "line")[]} */
   function menuOf(row) {

@@ -40,6 +40,7 @@ export const words = {
     body: "New body of this shape",
     bodyOf: (/** @type {string} */ shape) => `New body of ${shape}`,
     full: (/** @type {number} */ limit) => `A body has ${limit} features at most`,
+    noBody: "There is no body yet",
     onlyBody: "The last body stays",
     measured: (/** @type {readonly string[]} */ names) => `${names.join(", ")} of another body ${names.length === 1 ? "is" : "are"} measured to it`,
     inUse: (/** @type {number} */ count) => (count === 1 ? "In use in 1 place, which goes with it" : `In use in ${count} places, which go with it`),
