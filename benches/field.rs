@@ -3,6 +3,7 @@
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use directrix::field::Grid;
 use directrix::field::transform::{DistanceJob, scan};
+use distance_transform::{BoolGrid, dt2d};
 use std::hint::black_box;
 
 /// Whether a place of [-1, 1]^3 belongs to a feature.
@@ -44,6 +45,13 @@ fn transforms(c: &mut Criterion) {
                 group.bench_function(method, |b| {
                     b.iter_batched(start, DistanceJob::run, BatchSize::PerIteration)
                 });
+            }
+            if nz == 1 {
+                let mut peer = BoolGrid::new(nx, ny);
+                for (x, y, value) in peer.iter_mut() {
+                    *value = found[y * nx + x] != 0;
+                }
+                group.bench_function("crate distance-transform", |b| b.iter(|| dt2d(black_box(&peer))));
             }
             group.bench_function("scan", |b| b.iter(|| scan(&grid, black_box(&found))));
             group.finish();
