@@ -56,10 +56,11 @@ test("thumbnails are small pictures of the document, one for each theme", async 
   await eventually(async () => assert.ok((await heads(page))[0]?.thumbnail));
   await openRecent(page);
   const pictures = page.locator("[data-document] img");
-  assert.equal(await pictures.count(), 2);
-  assert.deepEqual(await pictures.evaluateAll((all) => all.map((each) => getComputedStyle(each).display !== "none")), [true, false]);
+  const shown = (/** @type {boolean[]} */ wanted) =>
+    eventually(async () => assert.deepEqual(await pictures.evaluateAll((all) => all.map((each) => getComputedStyle(each).display !== "none")), wanted));
+  await shown([true, false]);
   await page.locator("[data-action=theme]").click();
-  assert.deepEqual(await pictures.evaluateAll((all) => all.map((each) => getComputedStyle(each).display !== "none")), [false, true]);
+  await shown([false, true]);
   const colors = await pictures.last().evaluate(async (image) => {
     const picture = /** @type {HTMLImageElement} */ (image);
     await picture.decode();
