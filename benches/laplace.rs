@@ -8,13 +8,7 @@ use glam::DVec3;
 use std::hint::black_box;
 
 fn faces(panel: &Panel) -> Result<f64, f64> {
-    Ok(if panel.normal.z > 0.5 {
-        1.0
-    } else if panel.normal.z < -0.5 {
-        0.5
-    } else {
-        0.0
-    })
+    Ok(samples::cube_values(panel))
 }
 
 fn cube(m: usize) -> Problem {

@@ -187,7 +187,7 @@ const cavity = Array.from({ length: 41 }, (_, n) => {
 });
 const tool = part(
   "Tool with cooling channels",
-  [{ name: "tool steel", color: "#8899aa" }, { name: "carbide", color: "#222222" }, { name: "copper", color: "#d55e00" }],
+  [{ name: "tool steel", color: "#c3c9d2" }, { name: "carbide", color: "#0072b2" }, { name: "copper", color: "#d55e00" }],
   [
     { name: "tool", kind: "polygon", points: [[0, 0], [120, 0], [120, 46], ...cavity.toReversed(), [0, 46]] },
     { name: "cavity", kind: "polyline", points: cavity },

@@ -1,6 +1,7 @@
 //! Boundaries for problems whose solution is known, and those of the solver laboratory.
 
 use super::mesh::Mesh;
+use super::panel::Panel;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
@@ -90,6 +91,16 @@ pub fn cube(m: usize) -> Mesh {
     let mut quads = Quads::default();
     quads.cuboid([&steps; 3], false);
     quads.mesh()
+}
+
+/// Values of the paper's cube on a panel of its faces: 1 above, one half below, 0 at the sides (Liu and others 2003, Fig. 13).
+#[must_use]
+pub fn cube_values(panel: &Panel) -> f64 {
+    match panel.normal.z {
+        z if z > 0.5 => 1.0,
+        z if z < -0.5 => 0.5,
+        _ => 0.0,
+    }
 }
 
 /// The unit cube with a strip of slivers of this width round it, beside `m` even steps along z.

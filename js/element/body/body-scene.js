@@ -15,7 +15,7 @@ import { cornersOf } from "../../space/vector.js";
 import { isControl } from "../../connect.js";
 import { DirectrixError } from "../../errors.js";
 import { body as remoteBody } from "../../remote-body.js";
-import { toText } from "../../text.js";
+import { Incoming } from "../incoming.js";
 import { isWhole, Lane } from "../kernel.js";
 import { fixed } from "../words.js";
 import { createOrbit } from "./orbit.js";
@@ -70,8 +70,8 @@ export class BodyScene {
   #checks;
   #orbit;
   #s = 0;
-  /** @type {{ text: string, document: HyperpatchDocument } | null} */
-  #incoming = null;
+  /** @type {Incoming<HyperpatchDocument>} */
+  #incoming;
   #text = "";
   /** @type {Shape | null} */
   #shape = null;
@@ -96,6 +96,7 @@ export class BodyScene {
   constructor(host, { say, rested }) {
     this.#host = host;
     this.#rested = rested;
+    this.#incoming = new Incoming((error) => host.onproblem("document", error));
     this.#lane = new Lane({
       work: (kernel, signal) => this.#turn(kernel, signal),
       failed: (error) => host.onproblem("kernel", error),
@@ -155,8 +156,7 @@ export class BodyScene {
    * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
    */
   open(given) {
-    const text = toText(given);
-    this.#incoming = { text, document: JSON.parse(text) };
+    this.#incoming.take(given);
     this.#lane.cancel();
     this.#lane.push();
   }
@@ -176,7 +176,7 @@ export class BodyScene {
   refresh() {
     // Checks that were given up when the figure was taken from its page.
     if (this.#known && !this.#known.summary) this.#checks.push();
-    if (this.#incoming || (this.#shape && this.#cut.s !== this.#s)) this.#lane.push();
+    if (this.#incoming.waits || (this.#shape && this.#cut.s !== this.#s)) this.#lane.push();
     else this.#repaint();
   }
 
@@ -214,7 +214,7 @@ export class BodyScene {
     if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'bodies are read by the module "full"');
     this.runsIn = kernel.runsIn;
     const control = { signal, onprogress: this.#host.onprogress };
-    if (this.#incoming) await this.#install(kernel, control);
+    if (this.#incoming.waits) await this.#install(kernel, control);
     else if (this.document && this.#cut.s !== this.#s) this.#cut = await this.#section(kernel, control, this.#s);
     this.#host.onprogress(1);
     this.#repaint();
@@ -222,16 +222,14 @@ export class BodyScene {
   }
 
   /** @param {Kernel} kernel @param {Control} control */
-  async #install(kernel, control) {
-    const incoming = this.#incoming;
-    if (!incoming) return;
-    try {
-      const body = await asked(kernel, incoming.text, control);
+  #install(kernel, control) {
+    return this.#incoming.settle(control.signal, async (given, isStillWanted) => {
+      const body = await asked(kernel, given.text, control);
       const verdicts = await body.verdicts({ global: false }, control);
       const surface = await body.surface(within(body.cells, TOLERANCE), control);
-      if (this.#incoming !== incoming) return;
+      if (!isStillWanted()) return false;
       const volume = body.cells.reduce((sum, cell) => sum + Math.abs(cell.volume), 0);
-      [this.document, this.#text] = [incoming.document, incoming.text];
+      [this.document, this.#text] = [given.document, given.text];
       this.#known = { verdicts, volume, summary: null };
       this.result = bodyResult(verdicts, volume, null);
       this.#shape = shapeOf(surface);
@@ -242,12 +240,8 @@ export class BodyScene {
       this.#draw();
       this.#host.onsolved("load");
       this.#checks.push();
-    } catch (error) {
-      const isOfDocument = error instanceof DirectrixError && error.code !== "trap" && error.code !== "closed";
-      if (control.signal?.aborted || !isOfDocument) throw error;
-      this.#host.onproblem("document", error);
-    }
-    if (this.#incoming === incoming) this.#incoming = null;
+      return true;
+    });
   }
 
   /** Every check to its end, which may take long. @param {Kernel} kernel @param {AbortSignal} signal */

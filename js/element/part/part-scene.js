@@ -10,8 +10,8 @@
  */
 import { DirectrixError } from "../../errors.js";
 import { remotePart } from "../../remote-part.js";
-import { toText } from "../../text.js";
 import { h } from "../dom.js";
+import { Incoming } from "../incoming.js";
 import { isWhole, Lane } from "../kernel.js";
 import { fitting } from "../plane.js";
 import { pictureOf } from "./picture.js";
@@ -61,8 +61,8 @@ export class PartScene {
   #reading;
   #places;
   #key = h("div", { class: "key", "aria-hidden": "true" });
-  /** @type {{ text: string, document: PartDocument } | null} */
-  #incoming = null;
+  /** @type {Incoming<PartDocument>} */
+  #incoming;
   #text = "";
   /** @type {Known | null} */
   #known = null;
@@ -81,6 +81,7 @@ export class PartScene {
   constructor(host, { say, rested }) {
     this.#host = host;
     this.#rested = rested;
+    this.#incoming = new Incoming((error) => host.onproblem("document", error));
     this.#lane = new Lane({
       work: (kernel, signal) => this.#turn(kernel, signal),
       failed: (error) => host.onproblem("kernel", error),
@@ -125,8 +126,7 @@ export class PartScene {
    * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
    */
   open(given) {
-    const text = toText(given);
-    this.#incoming = { text, document: JSON.parse(text) };
+    this.#incoming.take(given);
     this.#lane.cancel();
     this.#lane.push();
   }
@@ -145,7 +145,7 @@ export class PartScene {
 
   /** Brings the picture up with everything that it depends on. */
   refresh() {
-    if (this.#incoming || this.#known) this.#lane.push();
+    if (this.#incoming.waits || this.#known) this.#lane.push();
   }
 
   /** Gives up what is asked for. */
@@ -200,38 +200,29 @@ export class PartScene {
     if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'parts are read by the module "full"');
     this.runsIn = kernel.runsIn;
     const control = { signal, onprogress: this.#host.onprogress };
-    const isNew = this.#incoming !== null && (await this.#install(kernel, control));
+    const isNew = await this.#install(kernel, control);
     if (this.#known) await this.#paint(kernel, control);
     this.#host.onprogress(1);
     if (isNew) this.#host.onsolved("load");
   }
 
   /** @param {Kernel} kernel @param {Control} control @returns {Promise<boolean>} whether another part is there */
-  async #install(kernel, control) {
-    const incoming = this.#incoming;
-    if (!incoming) return false;
-    try {
-      const part = await asked(kernel, incoming.text, control);
+  #install(kernel, control) {
+    return this.#incoming.settle(control.signal, async (given, isStillWanted) => {
+      const part = await asked(kernel, given.text, control);
       const document = /** @type {Known["document"]} */ (await part.defaults(control));
       const amounts = part.box ? await part.amounts({}, control) : { area: 0, amounts: [], bodies: [] };
       const rules = part.box && document.rules?.length ? (await part.violations({}, control)).rules : [];
-      if (this.#incoming !== incoming) return false;
-      [this.document, this.#text, this.#known] = [incoming.document, incoming.text, { part, document }];
+      if (!isStillWanted()) return false;
+      [this.document, this.#text, this.#known] = [given.document, given.text, { part, document }];
       this.result = partResult(part, { document, amounts, rules });
       this.#follows = true;
       this.view = this.#fitted();
       this.#painted = null;
-      this.#incoming = null;
       this.#places.clear();
       this.#name(amounts.area > 0 ? amounts.amounts : []);
       return true;
-    } catch (error) {
-      const isOfDocument = error instanceof DirectrixError && error.code !== "trap" && error.code !== "closed";
-      if (control.signal?.aborted || !isOfDocument) throw error;
-      if (this.#incoming === incoming) this.#incoming = null;
-      this.#host.onproblem("document", error);
-      return false;
-    }
+    });
   }
 
   /** The materials that there are. @param {number[]} amounts */

@@ -26,13 +26,7 @@ fn solved(mesh: Mesh, of: impl Fn(&Panel) -> Result<f64, f64>) -> Solution {
 
 /// Values of the paper's cube on its faces.
 fn faces(panel: &Panel) -> Result<f64, f64> {
-    Ok(if panel.normal.z > 0.5 {
-        1.0
-    } else if panel.normal.z < -0.5 {
-        0.5
-    } else {
-        0.0
-    })
+    Ok(samples::cube_values(panel))
 }
 
 fn cube(m: usize) -> Solution {

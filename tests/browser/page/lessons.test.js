@@ -519,7 +519,13 @@ test("without reduced motion play moves the outline and can be paused", async (t
 test("axe finds nothing on any step", async (t) => {
   const page = await openPage(t);
   for (const lesson of lessons) {
-    for (const step of lesson.steps.keys()) {
+    /** Steps of a lesson with the same parts in figure and text are alike to axe. @type {Set<string>} */
+    const seen = new Set();
+    for (const [step, { figure, blocks }] of lesson.steps.entries()) {
+      const controls = Object.entries(figure).filter(([name, value]) => value && !["document", "changes", "caption"].includes(name));
+      const make = JSON.stringify([figure.view, figure.reading, figure.controls, controls.map(([name]) => name), [...new Set(blocks.map(({ kind }) => kind))].sort()]);
+      if (seen.has(make)) continue;
+      seen.add(make);
       await goTo(page, lesson, step + 1);
       // The frame around a step is the same on all of them.
       assert.deepEqual(await audit(page, step === 0 ? undefined : [".lesson"]), [], `${lesson.name}, step ${step + 1}`);

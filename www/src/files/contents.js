@@ -13,8 +13,8 @@
  */
 import { cellsCsv, cellsJson } from "../cells/tables.js";
 import { words } from "../cells/words.js";
+import { words as exportWords } from "../frame/export-words.js";
 import { currentMatch } from "../state/app.js";
-import { strings } from "../strings.js";
 import { linesCsv, stackCsv, stagesCsv } from "./csv.js";
 import { documentWithView } from "./document-view.js";
 import { fileName } from "./names.js";
@@ -62,10 +62,10 @@ async function lines(app) {
   const { document } = app.store;
   const match = currentMatch(app) ?? (await app.kernel.match(document));
   if (match.spans) {
-    if (match.spans.some((span) => span.lines.length === 0)) throw new Error(strings.exports.noLines);
+    if (match.spans.some((span) => span.lines.length === 0)) throw new Error(exportWords.noLines);
     return stackCsv(match.spans, document.curves.map(({ height }) => height));
   }
-  if (match.lines.length === 0) throw new Error(strings.exports.noLines);
+  if (match.lines.length === 0) throw new Error(exportWords.noLines);
   const [first = 0, second = 0] = document.curves.map(({ height }) => height);
   return linesCsv(match, second - first);
 }
@@ -73,7 +73,7 @@ async function lines(app) {
 /** @param {App} app */
 async function stages(app) {
   const found = await app.kernel.stages(app.store.document);
-  if (found.length === 0) throw new Error(strings.exports.noStages);
+  if (found.length === 0) throw new Error(exportWords.noStages);
   return stagesCsv(found);
 }
 

@@ -15,12 +15,11 @@ import { fileOf, nameOf, textOf } from "../files/contents.js";
 import { download } from "../files/download.js";
 import { pictureRows } from "../files/picture-rows.js";
 import { LARGEST, scaledSize } from "../files/pictures.js";
-import { problem } from "../painter.js";
-import { strings } from "../strings.js";
-import { openPanel } from "./panel.js";
 import { kindOf } from "../kinds/kinds.js";
+import { problem } from "../painter.js";
+import { words } from "./export-words.js";
+import { openPanel } from "./panel.js";
 
-const words = strings.exports;
 
 const SCALES = /** @type {const} */ (["1", "2", "4"]);
 /** Exports with choices of their own. */

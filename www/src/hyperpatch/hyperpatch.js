@@ -11,6 +11,7 @@ import "../../styles/push.css";
 import "../../styles/hyperpatch.css";
 import { attribute, find, h, write } from "../dom.js";
 import { createGroups } from "../inspector/inspector.js";
+import { createWorkbench } from "../kinds/workbench.js";
 import { STANDARD } from "../space/camera.js";
 import { placeOf, planeMoves } from "../space/section.js";
 import { sectionText } from "../space/section-group.js";
@@ -52,26 +53,7 @@ const MIDDLE = [0.5, 0.5, 0.5];
 let memory = { open: ["cells", "section", "materials", "show"], tab: "cells" };
 
 /** @param {App} app */
-export function createHyperpatch(app) {
-  /** @type {ReturnType<typeof openWorkbench> | null} */
-  let open = null;
-  const root = document.documentElement;
-  return {
-    render() {
-      const isOn = isOf(app.store.document, KIND) && app.ui.value.workbench !== "lessons";
-      if (isOn && !open) {
-        root.dataset.workbench = "hyperpatch";
-        open = openWorkbench(app);
-      }
-      if (isOn) open?.render();
-      else if (open) {
-        open.close();
-        open = null;
-        if (root.dataset.workbench === "hyperpatch") delete root.dataset.workbench;
-      }
-    },
-  };
-}
+export const createHyperpatch = (app) => createWorkbench(app, KIND, openWorkbench);
 
 /** @param {App} app */
 function openWorkbench(app) {

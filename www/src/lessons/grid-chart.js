@@ -4,6 +4,7 @@
  * @import { TransformSteps } from "../../../js/directrix.js"
  */
 import { h, svg } from "../dom.js";
+import { label } from "./chart-label.js";
 import { words } from "./words-part.js";
 
 /** Units of the view: the chart, room for figures on the left and below. */
@@ -15,13 +16,6 @@ const ABOVE = 8;
 /** Pieces of a curve from one pixel to the next, and height of a search. */
 const PIECES = 6;
 const SEARCH = 9;
-
-/** @param {string} text @param {number} x @param {number} y @param {string} anchor */
-function label(text, x, y, anchor) {
-  const element = svg("text", { x: x.toFixed(1), y: y.toFixed(1), "text-anchor": anchor });
-  element.textContent = text;
-  return element;
-}
 
 /** @param {SVGElement} picture */
 const scrolled = (picture) => h("div", { class: "part-chart-scroll" }, /** @type {any} */ (picture));

@@ -6,6 +6,7 @@
  */
 import { h, svg } from "../dom.js";
 import { fixed } from "../format.js";
+import { label } from "./chart-label.js";
 import { words } from "./words-part.js";
 
 /** Units of the view: the chart, room for figures on the left and below. */
@@ -14,13 +15,6 @@ const HEIGHT = 120;
 const LEFT = 24;
 const BELOW = 20;
 const ABOVE = 8;
-
-/** @param {string} text @param {number} x @param {number} y @param {string} anchor */
-function label(text, x, y, anchor) {
-  const element = svg("text", { x: x.toFixed(1), y: y.toFixed(1), "text-anchor": anchor });
-  element.textContent = text;
-  return element;
-}
 
 const x = (/** @type {number} */ share) => LEFT + (WIDTH - LEFT - 8) * share;
 const y = (/** @type {number} */ fraction) => ABOVE + HEIGHT * (1 - fraction);

@@ -31,6 +31,12 @@ export const RULES = /** @type {const} */ (["repaired", "depth", "printed"]);
 const MARGIN = 0.03;
 /** Width of a picture over its height at most, and at least one over it. */
 const WIDEST = 2.4;
+/** CSS pixels that the words beside a picture take in a row, those above and below it in a column, and the gap between rules. */
+const BESIDE = 240;
+const AROUND = 150;
+const GAP = 20;
+/** Width below which words have no room beside a picture. */
+const NARROW = 560;
 /** Milliseconds of rest before the pictures get all their pixels. */
 const REST = 180;
 /** Share of the part that an arrow key with Shift moves the reading by. */
@@ -60,13 +66,14 @@ export function createCompare(bench) {
   const difference = checkBox({ name: "part-compare-difference", text: [words.compare.difference] }, (on) => bench.change({ difference: on }));
   const help = h("p", { id: "part-compare-help", class: "spoken" }, words.compare.help);
   const failure = h("p", { class: "part-note failed", role: "alert", hidden: true });
+  const rules = h("div", { class: "part-rules", role: "group", "aria-label": words.compare.group, "aria-describedby": help.id }, ...cards.map((card) => card.element));
   const element = h(
     "div",
     { class: "part-compare", hidden: true, "data-furniture": "", "data-part-compare": "" },
     h("div", { class: "part-compare-head" }, h("p", {}, matchMedia("(pointer: coarse)").matches ? words.compare.hintTouch : words.compare.hint), bodyAt, difference.element),
     help,
     failure,
-    h("div", { class: "part-rules", role: "group", "aria-label": words.compare.group, "aria-describedby": help.id }, ...cards.map((card) => card.element)),
+    rules,
   );
 
   /** @type {Lane<Asked, Result[]>} */
@@ -187,8 +194,7 @@ export function createCompare(bench) {
         const key = isDifference ? "difference" : "colors";
         let made = sheets.get(raster);
         if (made?.key !== key) sheets.set(raster, (made = { key, sheet: { size: raster.size, box: raster.box, pixels: isDifference ? differencePixels(raster, first.raster) : colorPixels(raster) } }));
-        const [[left, low], [right, high]] = raster.box;
-        picture.style.aspectRatio = String(Math.min(WIDEST, Math.max(1 / WIDEST, (right - left) / (high - low))));
+        picture.style.aspectRatio = String(ratioOf(raster));
         if (size.width > 0) draw({ view, size, theme: app.ui.value.theme, hasGrid: false, sheets: [made.sheet], broken: null });
         const { most } = nth > 0 ? differencesOf(raster, first.raster) : { most: 0 };
         write(differs, nth === 0 ? "" : most < NOTHING ? words.compare.same : words.compare.differs(percent(most)));
@@ -210,6 +216,19 @@ export function createCompare(bench) {
         );
       },
     };
+  }
+
+  /** Wide parts stand below each other and others beside each other, whichever makes them larger. */
+  function lay() {
+    const raster = found?.results[0]?.raster;
+    if (!raster) return;
+    const { clientWidth: width, clientHeight: height } = rules;
+    const ratio = ratioOf(raster);
+    const inColumns = Math.min((width - 2 * GAP) / RULES.length, (height - AROUND) * ratio);
+    const inRows = Math.min(width - BESIDE, ((height - 2 * GAP) / RULES.length - GAP) * ratio);
+    const isInRows = width >= NARROW && inRows > inColumns;
+    rules.dataset.lay = isInRows ? "rows" : "columns";
+    rules.style.setProperty("--picture", `${Math.max(0, Math.floor(isInRows ? inRows : inColumns))}px`);
   }
 
   /** Moves what is read, and says it of every rule. @param {Point} by */
@@ -255,6 +274,7 @@ export function createCompare(bench) {
       }
       body?.set(String(of));
       difference.set(shown.difference);
+      lay();
       for (const card of cards) card.render();
     },
     close() {
@@ -262,4 +282,9 @@ export function createCompare(bench) {
       lane.cancel();
     },
   };
+}
+
+/** Width of the picture of a raster over its height. @param {Result["raster"]} raster */
+function ratioOf({ box: [[left, low], [right, high]] }) {
+  return Math.min(WIDEST, Math.max(1 / WIDEST, (right - left) / (high - low)));
 }

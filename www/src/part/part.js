@@ -13,6 +13,7 @@ import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
 import { openGallery } from "../frame/gallery.js";
 import { createGroups } from "../inspector/inspector.js";
+import { createWorkbench } from "../kinds/workbench.js";
 import { listenToGestures } from "../stage/gestures.js";
 import { createZoom } from "../stage/zoom.js";
 import { isOf } from "../state/kind.js";
@@ -52,26 +53,7 @@ let memory = { open: ["tree", "feature", "profile", "overlap", "display"], tab: 
 const WIDE = "(width >= 1200px)";
 
 /** @param {App} app */
-export function createPart(app) {
-  /** @type {ReturnType<typeof openWorkbench> | null} */
-  let open = null;
-  const root = document.documentElement;
-  return {
-    render() {
-      const isOn = isOf(app.store.document, KIND) && app.ui.value.workbench !== "lessons";
-      if (isOn && !open) {
-        root.dataset.workbench = KIND;
-        open = openWorkbench(app);
-      }
-      if (isOn) open?.render();
-      else if (open) {
-        open.close();
-        open = null;
-        if (root.dataset.workbench === KIND) delete root.dataset.workbench;
-      }
-    },
-  };
-}
+export const createPart = (app) => createWorkbench(app, KIND, openWorkbench);
 
 /** @param {App} app */
 function openWorkbench(app) {

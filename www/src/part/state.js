@@ -65,6 +65,7 @@
  * @property {() => void} request everything is drawn again
  */
 import { gridStep } from "../view.js";
+import { boxOf } from "./shapes/geometry.js";
 
 /** @type {Readonly<Shown>} */
 export const FIRST_SHOWN = {
@@ -119,30 +120,13 @@ export const countOf = (shape) => ("points" in shape ? shape.points.length : sha
  * @returns {[Point, Point] | null} lower left and upper right corner; null of a document without shapes
  */
 export function extentOf({ shapes = [] }) {
-  const places = shapes.flatMap((shape) => {
-    switch (shape.kind) {
-      case "point":
-        return [shape.at];
-      case "line":
-        return [shape.through];
-      case "segment":
-        return [shape.from, shape.to];
-      case "circle": {
-        const { center: [x, y], radius } = shape;
-        return /** @type {Point[]} */ ([[x - radius, y - radius], [x + radius, y + radius]]);
-      }
-      default:
-        return shape.points;
-    }
-  });
-  if (places.length === 0) return null;
-  const low = /** @type {Point} */ ([Infinity, Infinity]);
-  const high = /** @type {Point} */ ([-Infinity, -Infinity]);
-  for (const place of places) {
-    for (const axis of [0, 1]) {
-      low[axis] = Math.min(low[axis], place[axis]);
-      high[axis] = Math.max(high[axis], place[axis]);
-    }
-  }
-  return [low, high];
+  const [first, ...others] = shapes.map((shape) => (shape.kind === "line" ? /** @type {[Point, Point]} */ ([shape.through, shape.through]) : boxOf(shape)));
+  if (!first) return null;
+  return others.reduce(
+    ([low, high], [least, most]) => [
+      [Math.min(low[0], least[0]), Math.min(low[1], least[1])],
+      [Math.max(high[0], most[0]), Math.max(high[1], most[1])],
+    ],
+    first,
+  );
 }

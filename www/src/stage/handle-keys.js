@@ -12,6 +12,7 @@ import { handleCount, movePoints } from "../state/edits.js";
 import { includes, isWhole, middleOf, movedPoints, only, several, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
+import { pointBy } from "./point-keys.js";
 import { insertAfter, remove } from "./points.js";
 
 /** Milliseconds between two arrow keys that still belong to one run. */
@@ -58,20 +59,12 @@ export function listenToKeys(app, handles) {
       move(arrow, event);
       return true;
     }
-    const count = handleCount(app.store.document.curves[curve]);
+    const next = pointBy(event.key, point, handleCount(app.store.document.curves[curve]));
+    if (next !== undefined) {
+      go(curve, next, event.shiftKey && event.key.startsWith("Page"));
+      return true;
+    }
     switch (event.key) {
-      case "PageDown":
-        go(curve, point === null ? 0 : (point + 1) % count, event.shiftKey);
-        return true;
-      case "PageUp":
-        go(curve, point === null ? count - 1 : (point + count - 1) % count, event.shiftKey);
-        return true;
-      case "Home":
-        go(curve, null);
-        return true;
-      case "End":
-        go(curve, count - 1);
-        return true;
       case "Insert":
         void insertAfter(app, curve, point ?? 0).then(refocus);
         return true;

@@ -9,26 +9,20 @@
  */
 import { segment } from "../../controls/choices.js";
 import { select } from "../../controls/select.js";
-import { attribute, h, svg, write } from "../../dom.js";
+import { h, write } from "../../dom.js";
 import { coordinate } from "../../format.js";
 import { problem } from "../../painter.js";
-import { isLoop, SPACING, spread, TOLERANCE } from "../../stage/strokes.js";
-import { aimed, gridStep, panned, toPlane, toScreen } from "../../view.js";
+import { chainPath, createBoard } from "../../stage/draw-board.js";
+import { isLoop, spread, TOLERANCE } from "../../stage/strokes.js";
+import { aimed, toPlane } from "../../view.js";
 import { KINDS, words } from "./draw-words.js";
 import { bodyFor, isChain, isCurved, nameFor, NEEDS, put, shapeFrom, whyNotPut } from "./drawing.js";
-import { ARROWS, rested, restedRadius } from "./moves.js";
+import { rested, restedRadius } from "./moves.js";
 import { outlinePath } from "./places.js";
 
 /** Pixels within which a click is meant for a point that is there, by pointer and by touch, and for the second half of a double click. */
 const REACH = { mouse: 10, touch: 22 };
 const TWICE = 3;
-/** Pixels of an arrow key, and those at the edges of the picture that the crosshair keeps clear of. */
-const STEP = 10;
-const EDGE = { side: 24, foot: 100 };
-/** Radius of the marks of points that are set, and of the first one where it closes the shape. */
-const DOT = 3.5;
-const FIRST = 6;
-
 /**
  * Takes the canvas until the shape is finished or given up.
  * @param {Bench} bench
@@ -43,21 +37,9 @@ export function createDraw(bench, stage, first, over) {
   let { drawn, purpose } = first;
   /** @type {Point[]} */
   let points = [];
-  /** A stroke under way, document units. @type {Point[]} */
-  let line = [];
-  /** @type {Point | null} */
-  let pointer = null;
-  /** @type {Point | null} */
-  let cross = null;
   /** A sentence that stands until the next step. */
   let said = "";
   let fitting = false;
-
-  const preview = svg("path", { class: "draw-line" });
-  const closing = svg("path", { class: "draw-closing" });
-  const dots = svg("g", {});
-  const cursor = svg("path", { class: "draw-cross", d: "M-9 0H9M0-9V9" });
-  const marks = svg("svg", { class: "marks", "aria-hidden": "true" }, preview, closing, dots, cursor);
 
   const kinds = /** @type {Drawn[]} */ (Object.keys(KINDS));
   const kind = select({ label: words.kind, name: "draw-kind", choices: kinds.map((value) => ({ value, text: KINDS[value] })) }, (value) => {
@@ -89,61 +71,22 @@ export function createDraw(bench, stage, first, over) {
     hint,
     h("span", { class: "draw-commands" }, back, finish, cancel),
   );
-  const keyboard = h("div", {
-    class: "draw-keys",
-    tabIndex: 0,
-    role: "application",
-    "aria-label": words.keyboard,
-    "aria-describedby": "shape-draw-help",
+  const board = createBoard(app, {
+    name: "shape-draw",
+    words,
+    points: () => points,
+    rested: (at) => rested(bench, at, false),
+    refresh,
+    giveUp,
+    takeBack,
+    finish: done,
+    set: setPoint,
   });
-  const help = h("p", { id: "shape-draw-help", class: "spoken" }, words.help);
-  stage.append(marks, keyboard, help, bar);
-  const listening = new AbortController();
-  addEventListener("keydown", key, { capture: true, signal: listening.signal });
-  keyboard.focus({ preventScroll: true });
+  stage.append(board.marks, board.keyboard, board.help, bar);
+  board.keyboard.focus({ preventScroll: true });
 
   const invisible = () => bench.now().view === null;
   const closes = () => NEEDS[drawn].closes;
-
-  /** @param {KeyboardEvent} event */
-  function key(event) {
-    const target = event.target instanceof Element ? event.target : null;
-    const undoes = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && points.length > 0;
-    if ((!undoes && (event.ctrlKey || event.metaKey)) || target?.closest("input[type=text], select, [data-panel], [role=menu]")) return;
-    const own = !target || target === document.body || target === keyboard;
-    if (event.key === "Escape") giveUp();
-    else if (undoes || event.key === "Backspace" || event.key === "Delete") takeBack();
-    else if (!own) return;
-    else if (event.key === "Enter") done();
-    else if (event.key === " ") setPoint(crosshair());
-    else if (ARROWS[event.key]) moveCross(ARROWS[event.key], event);
-    else return;
-    event.preventDefault();
-    event.stopPropagation();
-  }
-
-  /** @returns {Point} */
-  const crosshair = () => cross ?? points.at(-1) ?? bench.now().view?.center ?? [0, 0];
-
-  /** @param {Point} arrow @param {KeyboardEvent} event */
-  function moveCross(arrow, event) {
-    const { view, size } = bench.now();
-    if (!view) return;
-    const snaps = bench.step() !== null;
-    const step = snaps ? gridStep(view.scale) : STEP / view.scale;
-    const by = step * (event.shiftKey ? (snaps ? 5 : 10) : event.altKey && !snaps ? 0.1 : 1);
-    const [x, y] = crosshair();
-    cross = rested(bench, [x + arrow[0] * by, y + arrow[1] * by], false);
-    pointer = null;
-    const [sx, sy] = toScreen(view, size, cross);
-    const out = /** @type {Point} */ ([
-      sx < EDGE.side ? EDGE.side - sx : Math.min(0, size.width - EDGE.side - sx),
-      sy < EDGE.side ? EDGE.side - sy : Math.min(0, size.height - EDGE.foot - sy),
-    ]);
-    if (out[0] !== 0 || out[1] !== 0) app.ui.set({ view: panned(view, out), fitted: false });
-    app.say(words.cross(coordinate(cross[0]), coordinate(cross[1])));
-    refresh();
-  }
 
   /** @param {Point} at document units */
   function setPoint(at) {
@@ -169,10 +112,10 @@ export function createDraw(bench, stage, first, over) {
 
   function restart() {
     points = [];
-    line = [];
     said = "";
+    board.takeLine();
     refresh();
-    keyboard.focus({ preventScroll: true });
+    board.keyboard.focus({ preventScroll: true });
   }
 
   /** @param {string} text */
@@ -219,8 +162,7 @@ export function createDraw(bench, stage, first, over) {
   /** Fits a curve to the stroke. */
   async function fitLine() {
     const { view } = bench.now();
-    const stroke = line;
-    line = [];
+    const stroke = board.takeLine();
     if (!view) return;
     if (drawn === "open") {
       const shape = shapeFrom("open", spread(stroke, view.scale));
@@ -247,8 +189,8 @@ export function createDraw(bench, stage, first, over) {
   /** @param {string | null} made */
   function close(made) {
     if (app.tool !== tool) return;
-    listening.abort();
-    for (const each of [marks, keyboard, help, bar]) each.remove();
+    board.close();
+    bar.remove();
     app.tool = null;
     over({ drawn, purpose }, made);
   }
@@ -265,25 +207,18 @@ export function createDraw(bench, stage, first, over) {
     kind.set(drawn);
     purposes.set(purpose);
     purposes.element.hidden = !closes();
-    const here = pointer ?? cross;
+    const here = board.here();
+    const line = board.line();
     const through = here && points.length > 0 ? [...points, here] : points;
-    const path = (/** @type {readonly Point[]} */ chain) =>
-      chain.length < 2 ? "" : `M${chain.map((at) => toScreen(view, size, at).map((v) => v.toFixed(1)).join(" ")).join("L")}`;
     const shape = drawn === "polygon" || drawn === "point" ? null : shapeFrom(drawn, through);
-    attribute(preview, "d", line.length > 1 ? path(line) : shape ? outlinePath(view, size, shape) : path(through));
     const ring = line.length > 1 ? line : through;
     const isOpenRing = (line.length > 1 && drawn === "closed") || (drawn === "polygon" && ring.length > 2);
-    attribute(closing, "d", isOpenRing ? path([ring[ring.length - 1], ring[0]]) : "");
-    dots.replaceChildren(
-      ...points.map((at, i) => {
-        const [x, y] = toScreen(view, size, at);
-        const isFirst = closes() && isChain(drawn) && i === 0 && points.length >= NEEDS[drawn].fewest;
-        return svg("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: isFirst ? FIRST : DOT, class: isFirst ? "draw-first" : "draw-dot" });
-      }),
-    );
-    const shown = cross && !pointer;
-    cursor.style.display = shown ? "" : "none";
-    if (shown) attribute(cursor, "transform", `translate(${toScreen(view, size, cross ?? [0, 0]).join(" ")})`);
+    board.draw(view, size, {
+      line: line.length > 1 || !shape ? chainPath(view, size, ring) : outlinePath(view, size, shape),
+      closing: isOpenRing ? [ring[ring.length - 1], ring[0]] : null,
+      isClosable: closes() && isChain(drawn) && points.length >= NEEDS[drawn].fewest,
+      hasCross: true,
+    });
     write(hint, hintText());
     write(finish, closes() ? words.close : words.finish);
     back.disabled = points.length === 0;
@@ -298,36 +233,6 @@ export function createDraw(bench, stage, first, over) {
     return view ? rested(bench, toPlane(view, size, at), invert) : at;
   }
 
-  /** Whether a press is meant for a point. @param {Point} at @param {Point | undefined} point @param {number} reach */
-  function isOn(at, point, reach) {
-    const { view, size } = bench.now();
-    if (!view || !point) return false;
-    const [x, y] = toScreen(view, size, point);
-    return Math.hypot(x - at[0], y - at[1]) <= reach;
-  }
-
-  /** A drag that draws a curve. @param {Point} at CSS pixels @returns {Stroke} */
-  function freehand(at) {
-    const { view, size } = bench.now();
-    let last = at;
-    line = view ? [toPlane(view, size, at)] : [];
-    said = "";
-    return {
-      to(to) {
-        const { view: now, size: room } = bench.now();
-        if (!now || Math.hypot(to[0] - last[0], to[1] - last[1]) < SPACING) return;
-        last = to;
-        line.push(toPlane(now, room, to));
-        refresh();
-      },
-      end: () => void fitLine(),
-      undo() {
-        line = [];
-        refresh();
-      },
-    };
-  }
-
   /** A drag from the first point to the second. @param {Point} at CSS pixels @returns {Stroke} */
   function pulled(at) {
     let to = at;
@@ -337,16 +242,16 @@ export function createDraw(bench, stage, first, over) {
         points = [planeOf(at)];
         said = "";
         to = next;
-        pointer = planeOf(next);
+        board.point(planeOf(next));
         refresh();
       },
       end() {
-        pointer = null;
+        board.point(null);
         setPoint(planeOf(to));
       },
       undo() {
         points = [];
-        pointer = null;
+        board.point(null);
         refresh();
       },
     };
@@ -355,28 +260,29 @@ export function createDraw(bench, stage, first, over) {
   /** @type {Tool} */
   const tool = {
     hover(at) {
-      if (!at && !pointer) return;
-      const isFirst = at && closes() && isChain(drawn) && points.length >= NEEDS[drawn].fewest && isOn(at, points[0], REACH.mouse);
-      pointer = at ? (isFirst ? points[0] : planeOf(at)) : null;
-      if (at) cross = null;
+      if (!at && !board.hasPointer()) return;
+      const isFirst = at && closes() && isChain(drawn) && points.length >= NEEDS[drawn].fewest && board.isOn(at, points[0], REACH.mouse);
+      board.point(at ? (isFirst ? points[0] : planeOf(at)) : null);
       refresh();
     },
     tap(at, event) {
       const reach = event.pointerType === "touch" ? REACH.touch : REACH.mouse;
-      pointer = null;
-      cross = null;
+      board.press();
       // Enter and Backspace are meant for what is drawn, also after a choice in the bar.
-      keyboard.focus({ preventScroll: true });
+      board.keyboard.focus({ preventScroll: true });
       const enough = points.length >= NEEDS[drawn].fewest;
-      const isFirst = isChain(drawn) && closes() && enough && isOn(at, points[0], reach);
+      const isFirst = isChain(drawn) && closes() && enough && board.isOn(at, points[0], reach);
       // The second half of a double click lands on the point that the first half has set.
-      const doubled = isChain(drawn) && event.pointerType !== "touch" && isOn(at, points.at(-1), TWICE);
+      const doubled = isChain(drawn) && event.pointerType !== "touch" && board.isOn(at, points.at(-1), TWICE);
       if (isFirst || (doubled && enough)) done();
       else if (!doubled) setPoint(planeOf(at, event.ctrlKey || event.metaKey));
     },
     stroke(at) {
       if (fitting || points.length > 0 || drawn === "point") return null;
-      if (isCurved(drawn)) return freehand(at);
+      if (isCurved(drawn)) {
+        said = "";
+        return board.stroke(at, () => void fitLine());
+      }
       return isChain(drawn) ? null : pulled(at);
     },
     render: refresh,

@@ -6,6 +6,7 @@
  * @import { Held } from "./places.js"
  */
 import { newRun } from "../../controls/run.js";
+import { pointBy } from "../../stage/point-keys.js";
 import { shapeNames, shapeOf } from "../edits/shapes.js";
 import { handleCount } from "./geometry.js";
 import { heldBy } from "./handles.js";
@@ -54,20 +55,12 @@ export function listenToKeys(bench, handles) {
       move(held, arrow, event);
       return true;
     }
-    const count = handleCount(shape);
+    const next = pointBy(event.key, point, handleCount(shape));
+    if (next !== undefined) {
+      go(name, next);
+      return true;
+    }
     switch (event.key) {
-      case "PageDown":
-        go(name, point === null ? 0 : (point + 1) % count);
-        return true;
-      case "PageUp":
-        go(name, point === null ? count - 1 : (point + count - 1) % count);
-        return true;
-      case "Home":
-        go(name, null);
-        return true;
-      case "End":
-        go(name, count - 1);
-        return true;
       case "Insert":
         void insertAfter(bench, name, point ?? 0).then(refocus);
         return true;
