@@ -182,8 +182,31 @@ export interface PartBody {
   holes?: string[];
   /** Composition where no feature acts. */
   default?: number[];
+  /** What stands in for the default in the interior. */
+  blend?: PartBlend;
   rule?: "repaired" | "depth" | "printed";
   features?: PartFeature[];
+}
+
+/** A composition that solves Laplace's equation in a body, from what its boundary has; see docs/format.md. */
+export interface PartBlend {
+  kind: "laplace";
+  /** About how many elements the boundary is divided into, 32 to 2000; 300 by default. */
+  elements?: number;
+  /** Up to 32; nothing flows across what is in none of them. */
+  boundaries?: PartBoundary[];
+}
+
+/** A piece of a boundary with what is known on it: a composition, a gradient, what another has there, or that nothing flows across it. */
+export interface PartBoundary {
+  /** Name of the outline or of a hole, or of a shape that the boundary lies on. */
+  on: string;
+  /** How far the boundary may be from that shape. */
+  within?: number;
+  value?: number[];
+  /** Of each material how its fraction changes outwards, per unit of length; the sum is 0. */
+  flux?: number[];
+  from?: { body: string } | { feature: string };
 }
 
 /** The name of a shape, or the boundary of a body without what lies on some shapes. */
@@ -1123,6 +1146,8 @@ export interface PartDiagnostic {
   message: string;
   body?: number;
   feature?: number;
+  /** Index of the piece of the boundary in the blend of the body. */
+  boundary?: number;
   /** Of an expression: the character at fault, from 0. */
   character?: number;
   at?: Point;
@@ -1179,6 +1204,8 @@ export interface Part {
     /** Whether it could be made. */
     made: boolean;
     box: Box | null;
+    /** Number of elements of its blend; null without one. */
+    blend: number | null;
     /** Which take part: those that are not hidden and have no fault. */
     features: { name: string; active: boolean }[];
   }[];

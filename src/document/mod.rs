@@ -75,10 +75,11 @@ pub use model::Model;
 pub(crate) use node::Node;
 #[cfg(feature = "part")]
 pub use part::{
-    Along, BodySpec, ComposingRule, CourseKey, CourseSpec, FeatureSpec, Geometry, KnownPart, LeafRow,
-    MOST_BODIES, MOST_PART_FEATURES, MOST_PART_POINTS, MOST_PART_RULES, MOST_SHAPES, PartAmounts, PartAnswer,
-    PartAsk, PartDiagnostic, PartDocument, PartJob, PartKind, PartMemory, PartModel, PartRuleSpec,
-    ReferenceSpec, RuleQuantity, ShapeSpec, read_part,
+    Along, BodySpec, BoundarySpec, ComposingRule, CourseKey, CourseSpec, FeatureSpec, Geometry, KnownPart,
+    LeafRow, MOST_BLENDS, MOST_BODIES, MOST_BOUNDARIES, MOST_PART_FEATURES, MOST_PART_POINTS,
+    MOST_PART_RULES, MOST_SHAPES, PartAmounts, PartAnswer, PartAsk, PartBlendKind, PartBlendSpec,
+    PartDiagnostic, PartDocument, PartJob, PartKind, PartMemory, PartModel, PartRuleSpec, ReferenceSpec,
+    RuleQuantity, ShapeSpec, SourceSpec, read_part,
 };
 #[cfg(feature = "paths")]
 pub use paths::{PathOptions, paths};
