@@ -39,7 +39,7 @@ test("every preset is a part without faults, whose features all act and whose fr
   }
 });
 
-/** A ring between two circles, copper inside and steel outside. */
+/** A ring between two circles, copper inside and steel outside. @type {any} */
 const ring = {
   directrix: 1,
   kind: "part",

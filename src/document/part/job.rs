@@ -150,7 +150,6 @@ impl PartJob {
     }
 
     fn advance(&self, work: Work, may_go_on: &mut dyn FnMut() -> bool) -> Work {
-        let model = self.known.model();
         match work {
             Work::Planning => self.plan(),
             Work::Blending => {

@@ -140,7 +140,7 @@ export function createPiece(bench, host) {
       const text = shortly(boundary);
       attribute(line, "data-blend-piece", piece.on);
       attribute(line, "aria-expanded", String(isOpen));
-      attribute(line, "aria-label", words.row(piece.on, role, text));
+      attribute(line, "aria-label", words.row(piece.on, text, role));
       write(name, piece.on);
       write(has, text);
       swatch.style.backgroundColor = boundary.value ? mixed(materials.map(({ color }) => color), boundary.value) : "transparent";

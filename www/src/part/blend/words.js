@@ -12,7 +12,7 @@ export const words = {
     full: (/** @type {number} */ most) => `A part has ${most} blends at most.`,
   },
   list: "Pieces of the boundary",
-  row: (/** @type {string} */ name, /** @type {string} */ role, /** @type {string} */ condition) => `${name}, ${role}, ${condition}`,
+  row: (/** @type {string} */ name, /** @type {string} */ condition, /** @type {string} */ role) => `${name}, ${condition}, ${role}`,
   roles: { outline: "outline", hole: "hole", piece: "piece of the boundary" },
   condition: "Has",
   conditions: /** @type {const} */ ({ value: "Composition", flux: "Gradient", insulated: "Insulated", body: "That of a body", feature: "That of a feature" }),
