@@ -12,7 +12,7 @@ pub(super) const SLOTS: usize = 32;
 pub(super) const NOBODY: u32 = u32::MAX;
 
 /// Diameters of a panel from its centre within which its integrals are exact. Clusters that come so near by the largest of their panels are looked at panel
-/// by panel, so that it does not depend on the clusters how a panel is taken.
+/// by panel, so that it does not depend on the clusters whose integrals are exact.
 const EXACT: f64 = 2.5;
 /// Diameters beyond which one place stands for a panel.
 const FAR: f64 = 8.0;
@@ -24,9 +24,9 @@ pub(super) struct Cluster {
     pub(super) slots: Range<usize>,
     pub(super) centre: DVec3,
     /// All of them are within this distance of the centre.
-    radius: f64,
+    pub(super) radius: f64,
     /// Of the largest panel.
-    diameter: f64,
+    pub(super) diameter: f64,
 }
 
 /// How panels are taken at a point.

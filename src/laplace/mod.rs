@@ -13,6 +13,7 @@ mod check;
 mod cloud;
 mod cluster;
 mod error;
+mod expansion;
 mod gmres;
 mod job;
 mod lanes;
@@ -31,7 +32,7 @@ mod tile;
 mod triangle;
 
 pub use ask::{Found, MOST_POINTS, PointsJob, Quantity};
-pub use check::{Enclosed, enclosed};
+pub use check::{Enclosed, MOST_PARTS, enclosed};
 pub use error::{Fault, LaplaceError};
 pub use gmres::{Convergence, GmresOptions};
 pub use job::{LaplaceJob, LaplaceOptions, Method, Stage, solve};
