@@ -114,7 +114,7 @@ fn diagnostic(body: usize, fault: BlendFault) -> PartDiagnostic {
     let said = PartDiagnostic::new(code, format!("bodies[{body}].blend{path}"), fault.message);
     PartDiagnostic {
         body: Some(body as u32),
-        boundary: fault.edge.map(|edge| edge as u32),
+        boundary: fault.edge.map(|edge| edge as u8),
         at: fault.at.map(|at| at.to_array()),
         ..said
     }

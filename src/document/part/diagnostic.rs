@@ -42,7 +42,7 @@ pub struct PartDiagnostic {
     pub feature: Option<u32>,
     /// Index of the piece of the boundary in the blend of the body.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub boundary: Option<u32>,
+    pub boundary: Option<u8>,
     /// Of an expression: the character, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub character: Option<u32>,

@@ -58,7 +58,7 @@ impl Builder<'_> {
         for (k, boundary) in blend.boundaries.iter().enumerate() {
             let at = format!("{path}.boundaries[{k}]");
             let of_boundary =
-                |fault: PartDiagnostic| PartDiagnostic { boundary: Some(k as u32), ..of_body(fault) };
+                |fault: PartDiagnostic| PartDiagnostic { boundary: Some(k as u8), ..of_body(fault) };
             let on = self.on(boundary, spec, region, &at).map_err(of_boundary);
             let condition = self.condition(boundary, number, spec, regions, &at).map_err(of_boundary);
             let (on, condition) = (self.kept(on), self.kept(condition));
