@@ -46,8 +46,9 @@ export function createPiece(bench, host) {
 
   const swatch = h("span", { class: "part-swatch", "aria-hidden": "true" });
   const name = h("span", { class: "design-name" });
+  const spokenRole = h("span", { class: "spoken" });
   const has = h("span", { class: "design-count" });
-  const line = h("button", { type: "button", class: "design-rule" }, swatch, name, has);
+  const line = h("button", { type: "button", class: "design-rule" }, swatch, name, spokenRole, has);
   line.addEventListener("click", () => host.open(isOpen ? null : key));
 
   const condition = picker({ label: words.condition, name: "blend-condition" }, (value) => {
@@ -140,7 +141,7 @@ export function createPiece(bench, host) {
       const text = shortly(boundary);
       attribute(line, "data-blend-piece", piece.on);
       attribute(line, "aria-expanded", String(isOpen));
-      attribute(line, "aria-label", words.row(piece.on, text, role));
+      write(spokenRole, words.role(role));
       write(name, piece.on);
       write(has, text);
       swatch.style.backgroundColor = boundary.value ? mixed(materials.map(({ color }) => color), boundary.value) : "transparent";

@@ -12,7 +12,8 @@ export const words = {
     full: (/** @type {number} */ most) => `A part has ${most} blends at most.`,
   },
   list: "Pieces of the boundary",
-  row: (/** @type {string} */ name, /** @type {string} */ condition, /** @type {string} */ role) => `${name}, ${condition}, ${role}`,
+  /** Stands between the name of a piece and what it has, for those who hear it. */
+  role: (/** @type {string} */ role) => `, ${role}, `,
   roles: { outline: "outline", hole: "hole", piece: "piece of the boundary" },
   condition: "Has",
   conditions: /** @type {const} */ ({ value: "Composition", flux: "Gradient", insulated: "Insulated", body: "That of a body", feature: "That of a feature" }),
