@@ -42,7 +42,7 @@ function whole(engine, name, shown = name) {
  * @returns {import("./directrix.js").Harmonic}
  */
 function harmonicOf({ summary, outer, ...rest }) {
-  const none = { outer, segments: 0, crossings: 0, lost: 0, iterations: 0, residual: 0, flux: 0, fluxBalance: 0, vertices: 0, triangles: 0 };
+  const none = { outer, segments: 0, crossings: 0, lost: 0, iterations: 0, residual: 0, flux: 0, fluxBalance: 0, area: 0, amounts: [], vertices: 0, triangles: 0 };
   const { lines: _, ...numbers } = summary ?? none;
   return { ...rest, ...numbers };
 }

@@ -770,6 +770,9 @@ export interface HarmonicNumbers {
   /** What flows from the outer curve to the others, and the share of it that is missing on one side. */
   flux: number;
   fluxBalance: number;
+  /** Area between the curves, and how much of each material is there. */
+  area: number;
+  amounts: number[];
   /** What the picture is made of. */
   vertices: number;
   triangles: number;

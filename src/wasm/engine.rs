@@ -172,10 +172,7 @@ impl Engine {
         #[cfg(not(feature = "stack"))]
         let _ = name;
         #[cfg(feature = "harmonic")]
-        if solution.model.document().is_harmonic() {
-            let message = format!("`harmonic` was found; `{name}` takes a blend along ruling lines");
-            return Err(to_js(&DocumentError::new(Code::Range, "blend.kind", message)));
-        }
+        needs_lines(&solution, name)?;
         #[cfg(feature = "stack")]
         if let count @ 3.. = solution.model.curves().len() {
             let message =
@@ -263,6 +260,16 @@ impl Engine {
 pub(super) fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::check_length(text)?;
     document::read(&parse(text)?)
+}
+
+/// Refuses a harmonic blend for a function about ruling lines.
+#[cfg(feature = "harmonic")]
+pub(super) fn needs_lines(solution: &Solution, name: &str) -> Result<(), JsValue> {
+    if !solution.model.document().is_harmonic() {
+        return Ok(());
+    }
+    let message = format!("`harmonic` was found; `{name}` takes a blend along ruling lines");
+    Err(to_js(&DocumentError::new(Code::Range, "blend.kind", message)))
 }
 
 fn refused_picture(message: &str) -> JsValue {

@@ -6,7 +6,7 @@ use super::error::to_js;
 use super::json::parse;
 use super::laplace::set;
 use super::results::{DiagnosticResult, HarmonicSummary, ProbeResult, to_value};
-use crate::document::{Difference, Harmonic, LayerName, Model, Outcome, Solution};
+use crate::document::{Code, Difference, DocumentError, Harmonic, LayerName, Model, Outcome, Solution};
 use crate::morph::HarmonicBlend;
 use crate::picture::PictureOptions;
 use glam::DVec2;
@@ -21,6 +21,10 @@ impl Engine {
             self.advance_comparison(text, coarse, &mut || true).map_err(|e| to_js(&e))?;
         }
         let solution = self.solve_to(text, coarse)?;
+        if !solution.model.document().is_harmonic() {
+            let message = "another kind was found; expected `harmonic`";
+            return Err(to_js(&DocumentError::new(Code::Range, "blend.kind", message)));
+        }
         if let Outcome::Refused(error) = &solution.outcome {
             return Err(to_js(error));
         }

@@ -73,6 +73,9 @@ pub(super) struct HarmonicSummary {
     /// What flows from the outer curve to the others, and the share of it that is missing on one side.
     flux: f64,
     flux_balance: f64,
+    /// Area between the curves, and how much of each material is there.
+    area: f64,
+    amounts: Vec<f64>,
     /// Vertices and triangles on which the blend is shown.
     vertices: usize,
     triangles: usize,
@@ -94,6 +97,8 @@ impl HarmonicSummary {
             residual: last.fold(0.0, f64::max),
             flux: blend.flux(),
             flux_balance: solution.flux_balance().first().map_or(0.0, |balance| balance.abs()),
+            area: blend.area(),
+            amounts: blend.amounts(),
             vertices: blend.field().points.len(),
             triangles: blend.field().triangles.len(),
         }

@@ -48,6 +48,7 @@ pub struct HarmonicBlend {
     /// Lines that were begun and did not come to the outer curve.
     lost: usize,
     flux: f64,
+    area: f64,
 }
 
 /// What the blend holds at a point.
@@ -102,6 +103,29 @@ impl HarmonicBlend {
     #[must_use]
     pub fn flux(&self) -> f64 {
         self.flux
+    }
+
+    /// Area between the curves themselves.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// How much of each material is between the curves, by area: the mean over the triangles, which leave out what is between curves and chords, times the area.
+    #[must_use]
+    pub fn amounts(&self) -> Vec<f64> {
+        let field = &self.field;
+        let (mut whole, mut sums) = (0.0, vec![0.0; self.recipes.len()]);
+        for corners in &field.triangles {
+            let [a, b, c] = corners.map(|k| field.points[k as usize]);
+            let size = (b - a).perp_dot(c - a) / 2.0;
+            whole += size;
+            for (material, sum) in sums.iter_mut().enumerate() {
+                let own: f64 = corners.iter().map(|k| field.value(*k, 1 + material)).sum();
+                *sum += size * own / 3.0;
+            }
+        }
+        sums.iter().map(|sum| if whole > 0.0 { sum / whole * self.area } else { 0.0 }).collect()
     }
 
     /// What is at a point between the curves; `None` elsewhere.
@@ -356,6 +380,8 @@ impl HarmonicWork {
         let outer = self.rings.start(self.rings.outer());
         let own = outer..outer + self.rings.list()[self.rings.outer()].len();
         let flux = own.map(|k| fluxes[k] * lengths[k]).sum();
+        let areas = self.curves.iter().map(|curve| curve.signed_area().abs());
+        let area = 2.0 * self.curves[self.rings.outer()].signed_area().abs() - areas.sum::<f64>();
         let blend = HarmonicBlend {
             rings: self.rings.clone(),
             flow: Flow::new(&solution),
@@ -366,6 +392,7 @@ impl HarmonicWork {
             crossings: 0,
             lost: 0,
             flux,
+            area,
         };
         State::Following { blend: Box::new(blend), starts, next: 0 }
     }
