@@ -13,6 +13,8 @@ const TOLERANCE: f64 = 1e-3;
 /// The same while a document changes from frame to frame, and segments of each curve then.
 const COARSE_TOLERANCE: f64 = 6e-3;
 const COARSE_SEGMENTS: usize = 80;
+/// Most segments of all curves together, about: beyond, a single level curve would take longer than a frame.
+const MOST_SEGMENTS: usize = 4000;
 
 /// The harmonic blend of a document.
 #[derive(Debug, Clone)]
@@ -121,7 +123,8 @@ impl HarmonicJob {
 /// Finds the outer curve and begins with the blend of curves that do not meet.
 fn begin(model: &Model, is_coarse: bool) -> Result<HarmonicWork, Diagnostic> {
     let blend = &model.document().blend;
-    let wanted = blend.segments.unwrap_or(COARSE_SEGMENTS);
+    let most = MOST_SEGMENTS / model.curves().len();
+    let wanted = blend.segments.unwrap_or(COARSE_SEGMENTS).min(most);
     let segments = if is_coarse { wanted.min(COARSE_SEGMENTS) } else { wanted };
     let outer = outermost(model)?;
     let rings: Vec<Ring> = model.curves().iter().map(|curve| Ring::new(curve, segments)).collect();
@@ -138,6 +141,7 @@ fn begin(model: &Model, is_coarse: bool) -> Result<HarmonicWork, Diagnostic> {
     let fineness = HarmonicFineness {
         segments,
         lines: blend.lines.unwrap_or(1),
+        stages: model.document().segments(),
         tolerance: if is_coarse { COARSE_TOLERANCE } else { TOLERANCE },
     };
     let compose = |curve: usize, u: f64| model.composition(curve, u);

@@ -17,8 +17,7 @@ impl Drawing<'_> {
             _ => self.blended(blend),
         }
         if self.shows(LayerName::InBetweens) {
-            let segments = self.solution.model.document().segments();
-            let rings = (1..segments).flat_map(|j| blend.level(j as f64 / segments as f64)).collect();
+            let rings = blend.levels().concat();
             self.stroke("in-betweens", Path { rings, closed: true }, self.inside(self.theme.in_between));
         }
         self.iso_lines(&|material, level| blend.iso_lines(material, level));

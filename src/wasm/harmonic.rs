@@ -64,11 +64,9 @@ fn result(solution: &Solution, difference: bool) -> Result<JsValue, JsValue> {
     set(&bag, "outer", whole.map_or(JsValue::NULL, |blend| blend.rings().outer().into()))?;
     let segments = solution.model.document().segments();
     let levels = Array::new();
-    for j in (1..segments).filter(|_| whole.is_some()) {
+    for (j, loops) in whole.map_or(&[][..], HarmonicBlend::levels).iter().enumerate() {
         let level = Object::new();
-        let value = j as f64 / segments as f64;
-        set(&level, "value", value.into())?;
-        let loops = whole.map_or_else(Vec::new, |blend| blend.level(value));
+        set(&level, "value", ((j + 1) as f64 / segments as f64).into())?;
         set(&level, "loops", loops.iter().map(|points| flat(points)).collect::<Array>().into())?;
         levels.push(&level);
     }

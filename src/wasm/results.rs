@@ -109,11 +109,11 @@ impl HarmonicSummary {
 #[cfg(feature = "harmonic")]
 pub(super) fn levels(harmonic: &Harmonic, document: &CurvesDocument) -> Vec<StageResult> {
     let segments = document.segments();
-    let stage = |j: usize| {
-        let s = j as f64 / segments as f64;
-        harmonic.blend.level(s).into_iter().map(move |points| StageResult { s, points: arrays(&points) })
+    let stage = |(j, loops): (usize, &Vec<Vec<DVec2>>)| {
+        let s = (j + 1) as f64 / segments as f64;
+        loops.iter().map(|points| StageResult { s, points: arrays(points) }).collect::<Vec<_>>()
     };
-    (1..segments).flat_map(stage).collect()
+    harmonic.blend.levels().iter().enumerate().flat_map(stage).collect()
 }
 
 /// How curves in space are seen in the plane.

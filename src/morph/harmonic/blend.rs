@@ -20,6 +20,8 @@ pub struct Fineness {
     pub segments: usize,
     /// Lines along the gradient, at least one from each inner curve.
     pub lines: usize,
+    /// Equal parts of the potential, between which there are level curves.
+    pub stages: usize,
     /// Greatest difference of the potential and of every fraction from the solution, where it is shown linear on triangles.
     pub tolerance: f64,
 }
@@ -44,6 +46,8 @@ pub struct HarmonicBlend {
     recipes: Vec<Recipe>,
     field: Field,
     lines: Vec<GradientLine>,
+    /// The level curves between two stages, from the first one on.
+    levels: Vec<Vec<Vec<DVec2>>>,
     crossings: usize,
     /// Lines that were begun and did not come to the outer curve.
     lost: usize,
@@ -85,6 +89,12 @@ impl HarmonicBlend {
     #[must_use]
     pub fn lines(&self) -> &[GradientLine] {
         &self.lines
+    }
+
+    /// The level curves between two stages, from the one next to the inner curves on: each of them may be several loops.
+    #[must_use]
+    pub fn levels(&self) -> &[Vec<Vec<DVec2>>] {
+        &self.levels
     }
 
     /// Number of pairs of lines that meet: 0, since lines along a gradient cannot.
@@ -247,6 +257,7 @@ enum State {
     Solving(Box<LaplaceJob>),
     Spreading { solution: Box<Solution>, work: Box<FieldWork> },
     Following { blend: Box<HarmonicBlend>, starts: Vec<Start>, next: usize },
+    Levelling(Box<HarmonicBlend>),
     Over,
 }
 
@@ -301,7 +312,8 @@ impl HarmonicWork {
         match &self.state {
             State::Solving(job) => 0.3 * job.progress(),
             State::Spreading { work, .. } => 0.3 + 0.4 * work.progress(),
-            State::Following { starts, next, .. } => 0.7 + 0.29 * *next as f64 / starts.len().max(1) as f64,
+            State::Following { starts, next, .. } => 0.7 + 0.2 * *next as f64 / starts.len().max(1) as f64,
+            State::Levelling(blend) => 0.9 + 0.09 * blend.levels.len() as f64 / self.fineness.stages as f64,
             State::Over => 0.999,
         }
     }
@@ -358,7 +370,16 @@ impl HarmonicWork {
                     let points: Vec<Vec<DVec2>> =
                         blend.lines.iter().map(|line| line.points.clone()).collect();
                     blend.crossings = crossings(&points);
-                    return Ok(Some(*blend));
+                    self.state = State::Levelling(blend);
+                }
+                State::Levelling(blend) => {
+                    let next = blend.levels.len() + 1;
+                    if next < self.fineness.stages {
+                        let level = blend.level(next as f64 / self.fineness.stages as f64);
+                        blend.levels.push(level);
+                    } else if let State::Levelling(blend) = std::mem::replace(&mut self.state, State::Over) {
+                        return Ok(Some(*blend));
+                    }
                 }
                 State::Over => return Ok(None),
             }
@@ -389,6 +410,7 @@ impl HarmonicWork {
             recipes: self.recipes.clone(),
             field: work.finish(),
             lines: Vec::with_capacity(starts.len()),
+            levels: Vec::new(),
             crossings: 0,
             lost: 0,
             flux,

@@ -16,10 +16,10 @@ const LATTICE: u32 = 1 << 13;
 /// Side of the squares at the start, in places.
 const START: u32 = LATTICE / 4;
 /// Most vertices inside.
-const MOST_INSIDE: usize = 24_000;
+const MOST_INSIDE: usize = 16_000;
 /// Side of a square on the boundary over the length of the segments there, and of others over their distance from it.
-const BESIDE: f64 = 1.5;
-const AWAY: f64 = 1.5;
+const BESIDE: f64 = 2.5;
+const AWAY: f64 = 2.0;
 /// Distance from the boundary below which there are no vertices inside, over the length of the segments there.
 const CLEAR: f64 = 0.35;
 

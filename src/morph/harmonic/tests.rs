@@ -18,7 +18,7 @@ fn pure(outer: usize) -> impl Fn(usize, f64) -> Composition {
     move |curve, _| Composition::pure(usize::from(curve == outer), 2)
 }
 
-const FINE: Fineness = Fineness { segments: 200, lines: 44, tolerance: 1e-3 };
+const FINE: Fineness = Fineness { segments: 200, lines: 44, stages: 5, tolerance: 1e-3 };
 
 fn blend(curves: Vec<BSpline>, outer: usize, compose: &Compose<'_>) -> HarmonicBlend {
     HarmonicWork::new(curves, outer, compose, FINE).expect("a boundary").run().expect("a solution")
@@ -39,6 +39,8 @@ fn between_concentric_circles_the_potential_is_a_logarithm() {
         assert!((place.gradient - steep * at.normalize()).length() < 2e-3 * steep);
         assert!((place.composition.fractions()[1] - place.potential).abs() < 1e-12);
     }
+    assert_eq!(found.levels().len(), 4);
+    assert_eq!(found.levels()[1], found.level(0.4));
     for level in [0.2, 0.5, 0.8] {
         let loops = found.level(level);
         assert_eq!(loops.len(), 1);
@@ -147,7 +149,7 @@ fn star(number: &mut dyn FnMut() -> f64, centre: DVec2, radius: f64) -> BSpline 
 /// the stated tolerance.
 #[test]
 fn random_nested_curves_keep_what_is_promised() {
-    for seed in 0..12_u64 {
+    for seed in 0..4_u64 {
         let mut number = numbers(seed);
         let count = 1 + (number() * 4.0) as usize;
         let radius = 0.25 + 0.5 / count as f64;
@@ -190,7 +192,8 @@ fn random_nested_curves_keep_what_is_promised() {
                 worst = worst.max((shown - exact).abs());
             }
         }
-        assert!(worst < 3e-3, "seed {seed}: {worst}");
+        eprintln!("seed {seed}: {} vertices, off by {worst}", field.points.len());
+        assert!(worst < 1.5e-3, "seed {seed}: {worst}");
         for level in [0.2, 0.6] {
             for point in found.level(level).concat() {
                 let place = found.locate(point).expect("inside");
