@@ -53,6 +53,8 @@ pub(super) struct HarmonicJob {
     /// Curves to look at by themselves and in pairs: what is left of these questions.
     checks: IntoIter<(usize, usize)>,
     work: Option<HarmonicWork>,
+    /// Share of the work that is done, as said last: it never falls.
+    reached: f64,
 }
 
 impl HarmonicJob {
@@ -60,16 +62,23 @@ impl HarmonicJob {
         let count = model.curves().len();
         let pairs = (1..count).flat_map(|j| (0..j).map(move |i| (i, j)));
         let checks: Vec<(usize, usize)> = (0..count).map(|k| (k, k)).chain(pairs).collect();
-        Self { is_coarse, checks: checks.into_iter(), work: None }
+        Self { is_coarse, checks: checks.into_iter(), work: None, reached: 0.0 }
     }
 
     /// Share of the work that is done.
     pub(super) fn progress(&self) -> f64 {
-        self.work.as_ref().map_or(0.0, |work| 0.05 + 0.95 * work.progress())
+        self.reached
     }
 
     /// Advances while `may_go_on` says so, at least by a little.
     pub(super) fn step(&mut self, model: &Model, may_go_on: &mut dyn FnMut() -> bool) -> Option<Ready> {
+        let ready = self.advance(model, may_go_on);
+        let share = self.work.as_ref().map_or(0.0, |work| 0.05 + 0.95 * work.progress());
+        self.reached = self.reached.max(share);
+        ready
+    }
+
+    fn advance(&mut self, model: &Model, may_go_on: &mut dyn FnMut() -> bool) -> Option<Ready> {
         let without = |diagnostic: Diagnostic| {
             let mut diagnostics = curve_remarks(model);
             diagnostics.push(diagnostic);
@@ -145,10 +154,8 @@ fn begin(model: &Model, is_coarse: bool) -> Result<HarmonicWork, Diagnostic> {
         tolerance: if is_coarse { COARSE_TOLERANCE } else { TOLERANCE },
     };
     let compose = |curve: usize, u: f64| model.composition(curve, u);
-    HarmonicWork::new(model.curves().to_vec(), outer, &compose, fineness).map_err(|error| Diagnostic::NoField {
-        reason: error.message,
-        at: error.at.map(|at| at.truncate()),
-    })
+    HarmonicWork::new(model.curves().to_vec(), outer, &compose, fineness)
+        .map_err(|error| Diagnostic::NoField { reason: error.message, at: error.at.map(|at| at.truncate()) })
 }
 
 /// For each curve the numbers of those that it lies in.
@@ -222,7 +229,11 @@ impl Comparing {
     #[must_use]
     pub fn progress(&self, blend: &HarmonicBlend) -> f64 {
         let count = blend.field().points.len().max(1);
-        let share = if self.band.is_some() { 0.5 + 0.5 * self.next as f64 / count as f64 } else { 0.5 * self.ruled.progress() };
+        let share = if self.band.is_some() {
+            0.5 + 0.5 * self.next as f64 / count as f64
+        } else {
+            0.5 * self.ruled.progress()
+        };
         share.min(0.999)
     }
 

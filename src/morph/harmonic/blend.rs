@@ -298,8 +298,7 @@ impl HarmonicWork {
             };
             recipes.push(recipe);
         }
-        let conditions =
-            Conditions { is_value: vec![true; rings.count()], data, are_fractions: false };
+        let conditions = Conditions { is_value: vec![true; rings.count()], data, are_fractions: false };
         let problem = Problem::new(rings.mesh()?, conditions)?;
         let job = LaplaceJob::new(problem, LaplaceOptions::default())?;
         let state = State::Solving(Box::new(job));
@@ -333,8 +332,7 @@ impl HarmonicWork {
                         let values = std::mem::take(&mut self.at_vertices);
                         let width = 1 + self.recipes.len();
                         let work = FieldWork::new(&self.rings, values, width, self.fineness.tolerance);
-                        self.state =
-                            State::Spreading { solution: Box::new(solution), work: Box::new(work) };
+                        self.state = State::Spreading { solution: Box::new(solution), work: Box::new(work) };
                     }
                 }
                 State::Spreading { solution, work } => {
@@ -395,8 +393,7 @@ impl HarmonicWork {
             return State::Over;
         };
         let fluxes = first(solution.fluxes());
-        let lengths: Vec<f64> =
-            solution.problem().mesh().panels().iter().map(|panel| panel.size).collect();
+        let lengths: Vec<f64> = solution.problem().mesh().panels().iter().map(|panel| panel.size).collect();
         let starts = starts(&self.rings, &fluxes, &lengths, self.fineness.lines);
         let outer = self.rings.start(self.rings.outer());
         let own = outer..outer + self.rings.list()[self.rings.outer()].len();
