@@ -3,6 +3,9 @@
 use super::cloud::{Charges, Sums};
 use super::cluster::{Panels, Reach, SLOTS};
 use super::error::{Fault, LaplaceError};
+use super::expansion::{Expansions, Moments, Targets};
+use super::panel::Space;
+use super::single::LANES as TOGETHER;
 use glam::DVec3;
 use std::ops::Range;
 use std::rc::Rc;
@@ -47,18 +50,30 @@ pub(super) struct Near {
     clusters: Vec<u16>,
     /// A number for each slot of these.
     entries: Vec<f32>,
+    /// In space, what clusters do far away.
+    expansions: Option<Expansions>,
 }
 
 /// A vector as charges of the slots.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Spread {
     charges: Charges,
+    /// Of each cluster, in space.
+    moments: Vec<Moments>,
     mean: f64,
 }
 
 impl Near {
     pub(super) fn new(panels: Rc<Panels>, is_value_unknown: Vec<bool>) -> Self {
-        Self { panels, is_value_unknown, starts: vec![0], clusters: Vec::new(), entries: Vec::new() }
+        let expansions = (panels.space == Space::Solid).then(|| Expansions::new(&panels));
+        Self {
+            panels,
+            is_value_unknown,
+            starts: vec![0],
+            clusters: Vec::new(),
+            entries: Vec::new(),
+            expansions,
+        }
     }
 
     /// Adds a near cluster to the row that comes next.
@@ -104,7 +119,7 @@ impl Matrix {
     /// What products of rows with a vector have in common.
     pub(super) fn spread(&self, x: &[f64]) -> Spread {
         let mean = self.mean.as_ref().map_or(0.0, |mean| dot(mean, x));
-        let Off::Near(near) = &self.off else { return Spread { charges: Charges::default(), mean } };
+        let Off::Near(near) = &self.off else { return Spread { mean, ..Spread::default() } };
         let has_values = near.is_value_unknown.contains(&true);
         let charge = |of_values: bool| {
             let of = |panel: &u32| match x.get(*panel as usize) {
@@ -114,10 +129,12 @@ impl Matrix {
             near.panels.order.iter().map(of).collect()
         };
         let double = if has_values { charge(true) } else { Vec::new() };
-        Spread { charges: Charges { single: charge(false), double }, mean }
+        let charges = Charges { single: charge(false), double };
+        let expanded = |expansions: &Expansions| expansions.moments(&near.panels, &charges);
+        Spread { moments: near.expansions.as_ref().map(expanded).unwrap_or_default(), charges, mean }
     }
 
-    /// Products of some rows with a vector.
+    /// Products of some rows with a vector; where the matrix is recomputed, of the panels in slots of these numbers.
     pub(super) fn multiply(&self, x: &[f64], spread: &Spread, rows: Range<usize>, y: &mut [f64]) {
         let n = self.len();
         match &self.off {
@@ -129,8 +146,13 @@ impl Matrix {
                 }
             }
             Off::Near(near) => {
-                for row in rows {
-                    y[row] = near.product(row, &spread.charges) + self.diagonal[row] * x[row] + spread.mean;
+                let mut start = rows.start;
+                while start < rows.end {
+                    let end = (start - start % TOGETHER + TOGETHER).min(rows.end);
+                    for (row, product) in near.products(start..end, spread) {
+                        y[row] = product + self.diagonal[row] * x[row] + spread.mean;
+                    }
+                    start = end;
                 }
             }
         }
@@ -143,14 +165,44 @@ impl Matrix {
 }
 
 impl Near {
-    fn product(&self, row: usize, charges: &Charges) -> f64 {
+    /// The products of a few rows, those of the panels in these slots, which are of one cluster.
+    fn products(&self, slots: Range<usize>, spread: &Spread) -> impl Iterator<Item = (usize, f64)> {
         let panels = &*self.panels;
-        let x: DVec3 = panels.list[row].centre;
-        let (mut far, mut near) = (0.0, 0.0);
-        let mut at = self.starts[row];
-        let mut sums = Sums::default();
+        let rows: [usize; TOGETHER] =
+            std::array::from_fn(|lane| panels.order[(slots.start + lane).min(slots.end - 1)] as usize);
+        let targets =
+            Targets::new(&panels.clusters[slots.start / SLOTS], rows.map(|row| panels.list[row].centre));
+        let mut expanded = [0.0_f64; TOGETHER];
+        let mut direct: Vec<u16> = Vec::with_capacity(panels.clusters.len());
+        let mut sums = [0.0_f32; TOGETHER];
         for (number, cluster) in panels.clusters.iter().enumerate() {
             if number % FLUSHED == 0 {
+                expanded.iter_mut().zip(&sums).for_each(|(far, sum)| *far += f64::from(*sum));
+                sums = [0.0; TOGETHER];
+            }
+            match spread.moments.get(number) {
+                Some(moments) if targets.is_beyond(cluster) => targets.add(cluster, moments, &mut sums),
+                _ => direct.push(number as u16),
+            }
+        }
+        expanded.iter_mut().zip(&sums).for_each(|(far, sum)| *far += f64::from(*sum));
+        let product = move |lane: usize| {
+            let row = rows[lane];
+            (row, self.product(row, &direct, expanded[lane], &spread.charges))
+        };
+        (0..slots.len()).map(product)
+    }
+
+    /// The product of a row, from that of the clusters that were expanded and those that were not.
+    fn product(&self, row: usize, direct: &[u16], mut far: f64, charges: &Charges) -> f64 {
+        let panels = &*self.panels;
+        let x: DVec3 = panels.list[row].centre;
+        let mut near = 0.0;
+        let mut at = self.starts[row];
+        let mut sums = Sums::default();
+        for (count, number) in direct.iter().enumerate() {
+            let cluster = &panels.clusters[*number as usize];
+            if count % FLUSHED == 0 {
                 far += sums.iter().map(|sum| f64::from(*sum)).sum::<f64>();
                 sums = Sums::default();
             }

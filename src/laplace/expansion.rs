@@ -1,0 +1,158 @@
+//! What clusters do far away, as multipoles: the first terms of the expansion of 1/r about their centres.
+//!
+//! With u the direction from the centre to the point, R the distance, a the radius of the cluster and y a place in units of it, 1/r is the sum of
+//! a^l P_l(u, y) / R^(l + 1), where P_l is |y|^l times Legendre's polynomial of the cosine between both. As a form of degree l in u it has 1, 3, 6 and 10
+//! coefficients up to l = 3, which are added up over the places of the cluster. The double layer is the derivative against the normal, of every coefficient.
+
+use super::cloud::Charges;
+use super::cluster::{Cluster, NOBODY, Panels, Reach, reach};
+use super::single::{LANES, inverse_root};
+use glam::{DVec3, Vec3};
+use std::f64::consts::PI;
+
+/// Coefficients up to the third degree.
+const TERMS: usize = 20;
+
+/// Radii of a cluster from its centre beyond which it is expanded; what is left out is at most the fourth power of one over it, and mostly far less because
+/// places are seldom at the rim and charges have both signs.
+const BEYOND: f64 = 5.0;
+
+/// Coefficients of a cluster.
+pub(super) type Moments = [f32; TERMS];
+
+/// For each slot the coefficients of its panel when it carries 1.
+#[derive(Debug, Clone)]
+pub(super) struct Expansions {
+    singles: Vec<Moments>,
+    doubles: Vec<Moments>,
+}
+
+/// Points of one cluster that are worked on together.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Targets {
+    /// The centre of their cluster, and the points relative to it.
+    centre: DVec3,
+    radius: f64,
+    offsets: [[f32; LANES]; 3],
+}
+
+impl Targets {
+    pub(super) fn new(own: &Cluster, points: [DVec3; LANES]) -> Self {
+        let offsets = points.map(|point| (point - own.centre).as_vec3());
+        Self {
+            centre: own.centre,
+            radius: own.radius,
+            offsets: [offsets.map(|o| o.x), offsets.map(|o| o.y), offsets.map(|o| o.z)],
+        }
+    }
+
+    /// Whether a cluster is so far from all of them that it may be expanded.
+    pub(super) fn is_beyond(&self, cluster: &Cluster) -> bool {
+        let distance = self.centre.distance(cluster.centre) - self.radius;
+        distance > BEYOND * cluster.radius
+            && reach(cluster.diameter, distance - cluster.radius) != Reach::Near
+    }
+
+    /// Adds what an expanded cluster does at each of them.
+    #[inline(always)]
+    pub(super) fn add(&self, cluster: &Cluster, moments: &Moments, sums: &mut [f32; LANES]) {
+        let way: Vec3 = (self.centre - cluster.centre).as_vec3();
+        let radius = cluster.radius as f32;
+        let m = moments;
+        for l in 0..LANES {
+            let (x, y, z) =
+                (way.x + self.offsets[0][l], way.y + self.offsets[1][l], way.z + self.offsets[2][l]);
+            let near = inverse_root(x * x + y * y + z * z);
+            let (x, y, z, share) = (x * near, y * near, z * near, radius * near);
+            let first = m[1] * x + m[2] * y + m[3] * z;
+            let second = x * (m[4] * x + m[5] * y + m[6] * z) + y * (m[7] * y + m[8] * z) + m[9] * z * z;
+            let third = x
+                * (x * (m[10] * x + m[11] * y + m[12] * z) + y * (m[13] * y + m[14] * z) + m[15] * z * z)
+                + y * (y * (m[16] * y + m[17] * z) + m[18] * z * z)
+                + m[19] * z * z * z;
+            sums[l] += near * (m[0] + share * (first + share * (second + share * third)));
+        }
+    }
+}
+
+impl Expansions {
+    pub(super) fn new(panels: &Panels) -> Self {
+        let slots = panels.order.len();
+        let (mut singles, mut doubles) = (Vec::with_capacity(slots), Vec::with_capacity(slots));
+        for cluster in &panels.clusters {
+            for number in &panels.order[cluster.slots.clone()] {
+                let Some(panel) = panels.list.get(*number as usize) else {
+                    debug_assert_eq!(*number, NOBODY);
+                    singles.push([0.0; TERMS]);
+                    doubles.push([0.0; TERMS]);
+                    continue;
+                };
+                let count = panels.space.places();
+                let weight = panel.size / (4.0 * PI * count as f64);
+                let (mut single, mut double) = ([0.0; TERMS], [0.0; TERMS]);
+                for place in 0..count {
+                    let y = (panels.space.place(panel, place) - cluster.centre) / cluster.radius;
+                    let at = |step: f64| terms(y - panel.normal * step);
+                    let (here, steps) = (at(0.0), [at(1.0), at(-1.0), at(2.0), at(-2.0)]);
+                    for term in 0..TERMS {
+                        let [up, down, far_up, far_down] = steps.map(|terms| terms[term]);
+                        single[term] += weight * here[term];
+                        // Differences over five places are exact for these polynomials.
+                        let slope = (8.0 * (up - down) - (far_up - far_down)) / 12.0;
+                        double[term] += weight / cluster.radius * slope;
+                    }
+                }
+                singles.push(single.map(|x| x as f32));
+                doubles.push(double.map(|x| x as f32));
+            }
+        }
+        Self { singles, doubles }
+    }
+
+    /// The coefficients of each cluster when its slots carry these charges.
+    pub(super) fn moments(&self, panels: &Panels, charges: &Charges) -> Vec<Moments> {
+        let of = |cluster: &Cluster| {
+            let mut sums = [0.0_f32; TERMS];
+            let mut add = |charges: &[f32], slots: &[Moments]| {
+                for (charge, terms) in charges.iter().zip(slots) {
+                    sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += charge * term);
+                }
+            };
+            add(&charges.single[cluster.slots.clone()], &self.singles[cluster.slots.clone()]);
+            if !charges.double.is_empty() {
+                add(&charges.double[cluster.slots.clone()], &self.doubles[cluster.slots.clone()]);
+            }
+            sums
+        };
+        panels.clusters.iter().map(of).collect()
+    }
+}
+
+/// The coefficients of the forms P_0 to P_3 for a place. Those of P_2 and P_3 that multiply |u|^2 = 1 are written out in the same degree.
+fn terms(place: DVec3) -> [f64; TERMS] {
+    let DVec3 { x, y, z } = place;
+    let square = place.length_squared();
+    let (half, more) = (0.5 * square, 1.5 * square);
+    [
+        1.0,
+        x,
+        y,
+        z,
+        1.5 * x * x - half,
+        3.0 * x * y,
+        3.0 * x * z,
+        1.5 * y * y - half,
+        3.0 * y * z,
+        1.5 * z * z - half,
+        x * (2.5 * x * x - more),
+        y * (7.5 * x * x - more),
+        z * (7.5 * x * x - more),
+        x * (7.5 * y * y - more),
+        15.0 * x * y * z,
+        x * (7.5 * z * z - more),
+        y * (2.5 * y * y - more),
+        z * (7.5 * y * y - more),
+        y * (7.5 * z * z - more),
+        z * (2.5 * z * z - more),
+    ]
+}
