@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 /// Coefficients up to the third degree.
 const TERMS: usize = 20;
 
-/// Radii of a cluster from its centre beyond which it is expanded; what is left out is at most the fourth power of one over it, and mostly far less because
-/// places are seldom at the rim and charges have both signs.
+/// Radii of a cluster from its centre beyond which it is expanded. What is left out falls with the fourth power of this; of a product with the matrix it is
+/// some millionths, because few clusters are hardly farther than that, and charges are seldom all at the rim.
 const BEYOND: f64 = 5.0;
 
 /// Coefficients of a cluster.
@@ -32,8 +32,13 @@ pub(super) struct Expansions {
 pub(super) struct Targets {
     /// The centre of their cluster, and the points relative to it.
     centre: DVec3,
-    radius: f64,
     offsets: [[f32; LANES]; 3],
+}
+
+/// Whether a cluster is so far from all points of another that it may be expanded.
+pub(super) fn is_beyond(home: &Cluster, cluster: &Cluster) -> bool {
+    let distance = home.centre.distance(cluster.centre) - home.radius;
+    distance > BEYOND * cluster.radius && reach(cluster.diameter, distance - cluster.radius) != Reach::Near
 }
 
 impl Targets {
@@ -41,16 +46,8 @@ impl Targets {
         let offsets = points.map(|point| (point - own.centre).as_vec3());
         Self {
             centre: own.centre,
-            radius: own.radius,
             offsets: [offsets.map(|o| o.x), offsets.map(|o| o.y), offsets.map(|o| o.z)],
         }
-    }
-
-    /// Whether a cluster is so far from all of them that it may be expanded.
-    pub(super) fn is_beyond(&self, cluster: &Cluster) -> bool {
-        let distance = self.centre.distance(cluster.centre) - self.radius;
-        distance > BEYOND * cluster.radius
-            && reach(cluster.diameter, distance - cluster.radius) != Reach::Near
     }
 
     /// Adds what an expanded cluster does at each of them.
@@ -155,4 +152,49 @@ fn terms(place: DVec3) -> [f64; TERMS] {
         y * (7.5 * z * z - more),
         z * (2.5 * z * z - more),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::laplace::samples;
+
+    #[test]
+    fn far_away_an_expansion_is_what_it_stands_for_and_closer_by_it_errs_with_the_fourth_power() {
+        let mesh = samples::sphere(1.0, 3);
+        let panels = Panels::new(mesh.space(), mesh.panels());
+        let charge = |k: usize| if panels.order[k] == NOBODY { 0.0 } else { 1.0 + (k as f32).cos() };
+        let list: Vec<f32> = (0..panels.order.len()).map(charge).collect();
+        let zeros = vec![0.0; list.len()];
+        let expansions = Expansions::new(&panels);
+        let cluster = &panels.clusters[7];
+        for (name, single, double) in [("single", &list, &zeros), ("double", &zeros, &list)] {
+            let charges = Charges { single: single.clone(), double: double.clone() };
+            let moments = expansions.moments(&panels, &charges)[7];
+            // Of the sum over places, relative to what the places do without signs.
+            let error = |radii: f64| {
+                let x = cluster.centre + DVec3::new(0.6, -0.64, 0.48) * (radii * cluster.radius);
+                let (mut sum, mut whole) = (0.0, 0.0);
+                for slot in cluster.slots.clone() {
+                    let panel = &panels.list[panels.order[slot] as usize];
+                    for place in 0..3 {
+                        let way = panels.space.place(panel, place) - x;
+                        let weight = panel.size / (12.0 * PI * way.length());
+                        let across = way.dot(panel.normal) / way.length_squared();
+                        let part = weight * (f64::from(single[slot]) + f64::from(double[slot]) * across);
+                        sum += part;
+                        whole += part.abs();
+                    }
+                }
+                let targets = Targets::new(cluster, [x; LANES]);
+                let mut sums = [0.0; LANES];
+                targets.add(cluster, &moments, &mut sums);
+                (f64::from(sums[3]) - sum).abs() / whole
+            };
+            assert!(error(BEYOND) < 1e-3, "{name}: {}", error(BEYOND));
+            let order = (error(BEYOND) / error(4.0 * BEYOND)).ln() / 4.0_f64.ln();
+            assert!(order > 3.5, "{name}: of order {order}");
+        }
+        assert!(!is_beyond(cluster, cluster));
+    }
 }

@@ -131,8 +131,9 @@ fn products_without_a_matrix_are_those_of_the_matrix() {
             y
         });
         let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
-        eprintln!("{n}: {}", norm(&difference) / norm(&a));
-        assert!(norm(&difference) < 2e-2 * norm(&a), "{} of {}", norm(&difference), norm(&a));
+        // Clusters far away are expanded where there are enough of them.
+        let bound = if n > 2000 { 1e-5 } else { 2e-6 };
+        assert!(norm(&difference) < bound * norm(&a), "{} of {}", norm(&difference), norm(&a));
         assert!(dense.sides[0].iter().zip(&free.sides[0]).all(|(a, b)| (a - b).abs() < 1e-9));
     }
     let mesh = samples::cube(8);
