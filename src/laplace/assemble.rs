@@ -104,6 +104,13 @@ impl Assembly {
     pub(super) fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Result<bool, LaplaceError> {
         let n = self.panels.list.len();
         let batch = ((1 << 16) / n.max(1)).max(1);
+        while let Off::Near(near) = &mut self.matrix.off
+            && near.expand()
+        {
+            if !may_go_on() {
+                return Ok(false);
+            }
+        }
         while self.row < n {
             for _ in 0..batch.min(n - self.row) {
                 self.make_row()?;
@@ -177,7 +184,7 @@ impl Assembly {
                 Off::Near(_) => {}
             }
         }
-        // Products that are recomputed add the mean as a whole.
+        // Products without a whole matrix add the mean by themselves.
         let mut mean_here = 0.0;
         match &mut self.matrix.off {
             Off::Dense(dense) => {

@@ -5,7 +5,7 @@
 //! coefficients up to l = 3, which are added up over the places of the cluster. The double layer is the derivative against the normal, of every coefficient.
 
 use super::cloud::Charges;
-use super::cluster::{Cluster, NOBODY, Panels, Reach, reach};
+use super::cluster::{Cluster, NOBODY, Panels, Reach, SLOTS, reach};
 use super::single::{LANES, inverse_root};
 use glam::{DVec3, Vec3};
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ const BEYOND: f64 = 5.0;
 pub(super) type Moments = [f32; TERMS];
 
 /// For each slot the coefficients of its panel when it carries 1.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Expansions {
     singles: Vec<Moments>,
     doubles: Vec<Moments>,
@@ -73,37 +73,35 @@ impl Targets {
 }
 
 impl Expansions {
-    pub(super) fn new(panels: &Panels) -> Self {
-        let slots = panels.order.len();
-        let (mut singles, mut doubles) = (Vec::with_capacity(slots), Vec::with_capacity(slots));
-        for cluster in &panels.clusters {
-            for number in &panels.order[cluster.slots.clone()] {
-                let Some(panel) = panels.list.get(*number as usize) else {
-                    debug_assert_eq!(*number, NOBODY);
-                    singles.push([0.0; TERMS]);
-                    doubles.push([0.0; TERMS]);
-                    continue;
-                };
-                let count = panels.space.places();
-                let weight = panel.size / (4.0 * PI * count as f64);
-                let (mut single, mut double) = ([0.0; TERMS], [0.0; TERMS]);
-                for place in 0..count {
-                    let y = (panels.space.place(panel, place) - cluster.centre) / cluster.radius;
-                    let at = |step: f64| terms(y - panel.normal * step);
-                    let (here, steps) = (at(0.0), [at(1.0), at(-1.0), at(2.0), at(-2.0)]);
-                    for term in 0..TERMS {
-                        let [up, down, far_up, far_down] = steps.map(|terms| terms[term]);
-                        single[term] += weight * here[term];
-                        // Differences over five places are exact for these polynomials.
-                        let slope = (8.0 * (up - down) - (far_up - far_down)) / 12.0;
-                        double[term] += weight / cluster.radius * slope;
-                    }
+    /// Adds the slots of the next cluster; returns whether there was one.
+    pub(super) fn push(&mut self, panels: &Panels) -> bool {
+        let Some(cluster) = panels.clusters.get(self.singles.len() / SLOTS) else { return false };
+        for number in &panels.order[cluster.slots.clone()] {
+            let Some(panel) = panels.list.get(*number as usize) else {
+                debug_assert_eq!(*number, NOBODY);
+                self.singles.push([0.0; TERMS]);
+                self.doubles.push([0.0; TERMS]);
+                continue;
+            };
+            let count = panels.space.places();
+            let weight = panel.size / (4.0 * PI * count as f64);
+            let (mut single, mut double) = ([0.0; TERMS], [0.0; TERMS]);
+            for place in 0..count {
+                let y = (panels.space.place(panel, place) - cluster.centre) / cluster.radius;
+                let at = |step: f64| terms(y - panel.normal * step);
+                let (here, steps) = (at(0.0), [at(1.0), at(-1.0), at(2.0), at(-2.0)]);
+                for term in 0..TERMS {
+                    let [up, down, far_up, far_down] = steps.map(|terms| terms[term]);
+                    single[term] += weight * here[term];
+                    // Differences over five places are exact for these polynomials.
+                    let slope = (8.0 * (up - down) - (far_up - far_down)) / 12.0;
+                    double[term] += weight / cluster.radius * slope;
                 }
-                singles.push(single.map(|x| x as f32));
-                doubles.push(double.map(|x| x as f32));
             }
+            self.singles.push(single.map(|x| x as f32));
+            self.doubles.push(double.map(|x| x as f32));
         }
-        Self { singles, doubles }
+        true
     }
 
     /// The coefficients of each cluster when its slots carry these charges.
@@ -166,7 +164,8 @@ mod tests {
         let charge = |k: usize| if panels.order[k] == NOBODY { 0.0 } else { 1.0 + (k as f32).cos() };
         let list: Vec<f32> = (0..panels.order.len()).map(charge).collect();
         let zeros = vec![0.0; list.len()];
-        let expansions = Expansions::new(&panels);
+        let mut expansions = Expansions::default();
+        while expansions.push(&panels) {}
         let cluster = &panels.clusters[7];
         for (name, single, double) in [("single", &list, &zeros), ("double", &zeros, &list)] {
             let charges = Charges { single: single.clone(), double: double.clone() };

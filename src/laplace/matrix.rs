@@ -1,4 +1,4 @@
-//! The matrix of the equations, whole or recomputed in every product.
+//! The matrix of the equations, whole; or what is nearby, with expansions of what is far away made anew in every product.
 
 use super::cloud::{Charges, Sums};
 use super::cluster::{Cluster, Panels, Reach, SLOTS};
@@ -87,7 +87,7 @@ pub(super) struct Spread {
 
 impl Near {
     pub(super) fn new(panels: Rc<Panels>, is_value_unknown: Vec<bool>) -> Self {
-        let expansions = (panels.space == Space::Solid).then(|| Expansions::new(&panels));
+        let expansions = (panels.space == Space::Solid).then(Expansions::default);
         let mut homes = vec![0; panels.list.len()];
         for (slot, number) in panels.order.iter().enumerate() {
             if let Some(home) = homes.get_mut(*number as usize) {
@@ -95,6 +95,11 @@ impl Near {
             }
         }
         Self { panels, is_value_unknown, homes, rows: Vec::new(), count: 0, expansions }
+    }
+
+    /// Prepares the expansion of the next cluster; returns whether there was one.
+    pub(super) fn expand(&mut self) -> bool {
+        self.expansions.as_mut().is_some_and(|expansions| expansions.push(&self.panels))
     }
 
     /// Whether what a cluster does to a row is kept, when its panels are taken like this.
@@ -176,7 +181,7 @@ impl Matrix {
         Spread { moments: near.expansions.as_ref().map(expanded).unwrap_or_default(), charges, whole, mean }
     }
 
-    /// Products of some rows with a vector; where the matrix is recomputed, of the panels in slots of these numbers.
+    /// Products of some rows with a vector; where the matrix is not whole, of the panels in slots of these numbers.
     pub(super) fn multiply(&self, x: &[f64], spread: &Spread, rows: Range<usize>, y: &mut [f64]) {
         let n = self.len();
         match &self.off {
@@ -348,6 +353,7 @@ mod tests {
         let [all, few] = [0, MOST_KEPT].map(|count| {
             let mut near = Near::new(Rc::clone(&panels), vec![false; n]);
             near.count = count;
+            while near.expand() {}
             for row in 0..n {
                 let mut kept = Keeping::default();
                 for (number, cluster) in panels.clusters.iter().enumerate() {
