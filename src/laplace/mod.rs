@@ -13,6 +13,7 @@ mod check;
 mod cloud;
 mod cluster;
 mod error;
+mod expansion;
 mod gmres;
 mod job;
 mod lanes;
