@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 1e-3;
 const COARSE_TOLERANCE: f64 = 6e-3;
 const COARSE_SEGMENTS: usize = 80;
 /// Most segments of all curves together, about: beyond, a single level curve would take longer than a frame.
-const MOST_SEGMENTS: usize = 4000;
+const MOST_SEGMENTS: usize = 3200;
 
 /// The harmonic blend of a document.
 #[derive(Debug, Clone)]
@@ -44,6 +44,15 @@ impl Difference {
     pub fn remark(&self) -> Option<Diagnostic> {
         self.values.is_empty().then_some(Diagnostic::NoRuledBlend)
     }
+}
+
+/// A solved harmonic blend with fewer triangles, for a file whose size they decide; `None` of other documents, and where a difference belongs to the
+/// triangles.
+#[must_use]
+pub fn lightened(solution: &Solution) -> Option<Solution> {
+    let harmonic = solution.harmonic().filter(|harmonic| harmonic.difference.is_none())?;
+    let light = Harmonic { blend: harmonic.blend.lightened(COARSE_TOLERANCE), difference: None };
+    Some(Solution { outcome: Outcome::Harmonic(Box::new(light)), ..solution.clone() })
 }
 
 /// A harmonic blend of a document being made.
