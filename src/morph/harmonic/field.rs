@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Places of the finest squares along a side of the box.
-const LATTICE: u32 = 1 << 13;
+const LATTICE: u32 = 1 << 18;
 /// Side of the squares at the start, in places.
 const START: u32 = LATTICE / 4;
 /// Most vertices inside.

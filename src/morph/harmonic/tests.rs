@@ -217,3 +217,18 @@ fn random_nested_curves_keep_what_is_promised() {
         }
     }
 }
+
+/// A hole that is small beside everything else has triangles of its own size round it.
+#[test]
+fn a_tiny_hole_is_shown_as_well_as_a_large_one() {
+    let (r, big) = (2e-3, 3.0_f64);
+    let found = made(vec![circle(DVec2::ZERO, r), circle(DVec2::ZERO, big)], 1, &pure(1), ROUGH);
+    let field = found.field();
+    for corners in &field.triangles {
+        let middle = corners.iter().map(|k| field.points[*k as usize]).sum::<DVec2>() / 3.0;
+        let exact = ((middle.length() / r).ln() / (big / r).ln()).max(0.0);
+        let shown = corners.iter().map(|k| field.value(*k, 0)).sum::<f64>() / 3.0;
+        assert!((shown - exact).abs() < 1.5 * ROUGH.tolerance, "{shown}, not {exact} at {middle}");
+    }
+    assert_eq!((found.crossings(), found.lost()), (0, 0));
+}
