@@ -53,8 +53,8 @@ export const MOST = { lu: 2000, ssor: 8000 };
  */
 export async function completedLaboratory(kernel, raw) {
   await kernel.boundary(raw);
-  const { title = "", materials = MATERIALS, groups = [], solver = {} } = raw;
-  const whole = { ...raw, directrix: 1, kind: "laplace", title, materials, groups, solver };
+  const { title = "", unit = "mm", materials = MATERIALS, groups = [], solver = {} } = raw;
+  const whole = { ...raw, directrix: 1, kind: "laplace", title, unit, materials, groups, solver };
   return /** @type {CurvesDocument} */ (/** @type {unknown} */ (whole));
 }
 

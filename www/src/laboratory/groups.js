@@ -24,7 +24,7 @@ import { viewButtons } from "../space/stand.js";
 import { middleOf, scaled } from "../space/vector.js";
 import { MOST } from "./document.js";
 import { solverOf, withModel, withSolver } from "./edits.js";
-import { isNamed, modelOf, MODELS, valueOf } from "./models.js";
+import { dimensionOf, isNamed, modelOf, MODELS, valueOf } from "./models.js";
 import { acrossOf, extentOf, flipped, placed, placeOf, through } from "./section-state.js";
 import { openStl } from "./stl-file.js";
 import { words } from "./words.js";
@@ -184,13 +184,16 @@ export function sectionGroup(bench, { back, face }) {
   };
   const place = slider({ label: text.field, name: "lab-at", min: 0, max: STEPS, step: 1 }, { change: (at, run) => move(fromShare(at / STEPS), run), end: bench.endRun, cancel: bench.takeBack });
   const field = numberField(
-    { label: text.field, name: "lab-place", min: -FAR, max: FAR, step: () => stepOf(), decimals: 3, rounded: true },
+    { label: text.field, name: "lab-place", min: -FAR, max: FAR, step: () => stepOf(), decimals: 2, rounded: true },
     { change: (value, run) => move(value, run), end: bench.endRun, cancel: bench.takeBack },
   );
   field.element.classList.add("short");
   const other = h("button", { type: "button", class: "push", "data-lab-flip": "", onclick: () => bench.commit((document) => (document.section ? { ...document, section: flipped(document.section) } : document)) }, text.other);
   const facts = h("div", {});
   const on = h("div", {}, row(text.at, place, field), h("div", { class: "lab-acts" }, other), facts, h("p", { class: "lab-note" }, text.note));
+
+  const axisRow = row(text.axis, axis);
+  const none = h("p", { class: "lab-note" }, text.none);
 
   /** @returns {[number, number]} */
   function extent() {
@@ -203,14 +206,17 @@ export function sectionGroup(bench, { back, face }) {
   return {
     name: "section",
     heading: text.heading,
-    body: h("div", {}, row(text.axis, axis), on),
+    body: h("div", {}, axisRow, on, none),
     phrase() {
       const { section } = bench.now().document;
       return section ? text.value(acrossOf(section), fixed(placeOf(section), 2)) : text.off;
     },
     render() {
-      const { section, unit = "" } = bench.now().document;
+      const { section, model, unit = "" } = bench.now().document;
       const found = face();
+      const isSpace = dimensionOf(model) === 3;
+      axisRow.hidden = !isSpace;
+      none.hidden = isSpace;
       axis.set(acrossOf(section));
       on.hidden = !section;
       if (!section) return;

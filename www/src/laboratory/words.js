@@ -127,6 +127,7 @@ export const words = {
     handle: "Plane of the section",
     other: "Show the other side",
     off: "off",
+    none: "A problem in the plane is no section of anything: what is seen is the whole of it.",
     value: (/** @type {string} */ axis, /** @type {string} */ place) => (axis === "own" ? `${place} along its normal` : `${axis} = ${place}`),
     area: "Area cut",
     pixels: "Pixels",

@@ -6,6 +6,7 @@
  * @property {string} name
  * @property {string} color CSS, or a token of the page such as `--text`
  * @property {boolean} dashed
+ * @property {boolean} [wide] whether it shows below one that it coincides with
  * @property {boolean} points whether the places are marked
  * @property {(number | null)[]} values one for each place
  *
@@ -28,10 +29,12 @@ import { attribute, h, write } from "../../dom.js";
 /** CSS pixels of the plot's height, and of lines. */
 const HIGH = 236;
 const WIDTH = 1.75;
+const WIDE = 4;
 const DASH = [6, 4];
-const FONT = "11px Inter, system-ui, sans-serif";
 /** Powers of ten that a logarithmic axis has at least. */
 const DECADE = 10;
+/** Powers of ten between which an axis leaves some out. */
+const MOST_TICKS = 8;
 
 /** @param {ChartOptions} options */
 export function createChart({ name, label, across, up, isLogAcross, place, value, say }) {
@@ -57,9 +60,11 @@ export function createChart({ name, label, across, up, isLogAcross, place, value
     plot?.destroy();
     const { places, curves } = shown;
     const [text, line, strong] = ["--text-2", "--line", "--line-strong"].map(token);
+    const font = `11px ${getComputedStyle(surface).fontFamily}`;
     /** @type {uPlot.Axis} */
-    const axis = { stroke: text, font: FONT, labelFont: FONT, grid: { stroke: line, width: 1 }, ticks: { stroke: strong, width: 1, size: 4 }, border: { show: true, stroke: strong, width: 1 } };
-    const powers = (/** @type {uPlot} */ _, /** @type {number[]} */ splits) => splits.map((split) => (Math.abs(Math.log10(split) - Math.round(Math.log10(split))) < 1e-6 ? power(split) : ""));
+    const axis = { stroke: text, font, labelFont: font, grid: { stroke: line, width: 1 }, ticks: { stroke: strong, width: 1, size: 4 }, border: { show: true, stroke: strong, width: 1 } };
+    /** @param {boolean} isDense whether twos and fives stand between the powers of ten @returns {Pick<uPlot.Axis, "splits" | "filter">} */
+    const logarithmic = (isDense) => ({ splits: (_, __, low, high) => ticksOf(low, high, isDense), filter: (_, splits) => splits });
     plot = new uPlot(
       {
         width: Math.max(120, surface.clientWidth),
@@ -71,15 +76,15 @@ export function createChart({ name, label, across, up, isLogAcross, place, value
           y: { distr: 3, range: (_, low, high) => widened(low, high) },
         },
         axes: [
-          { ...axis, label: across, labelSize: 18, size: 30, ...(isLogAcross ? { values: (_, splits) => splits.map((split) => (isNice(split) ? place(split) : "")) } : {}) },
-          { ...axis, label: up, labelSize: 18, size: 46, values: powers },
+          { ...axis, label: across, labelSize: 18, size: 30, ...(isLogAcross ? { ...logarithmic(true), values: (_, splits) => splits.map(place) } : {}) },
+          { ...axis, label: up, labelSize: 18, size: 46, ...logarithmic(false), values: (_, splits) => splits.map(power) },
         ],
         series: [
           {},
           ...curves.map((curve) => ({
             label: curve.name,
             stroke: token(curve.color),
-            width: WIDTH,
+            width: curve.wide ? WIDE : WIDTH,
             spanGaps: true,
             show: !off.has(curve.name),
             ...(curve.dashed ? { dash: DASH } : {}),
@@ -158,8 +163,19 @@ function widened(low, high) {
   return [DECADE ** from, DECADE ** Math.max(to, from + 1)];
 }
 
-/** Whether a tick of a logarithmic axis has room for its number. @param {number} value */
-const isNice = (value) => [1, 2, 5].includes(Math.round(value / DECADE ** Math.floor(Math.log10(value) + 1e-9)));
+/**
+ * Places of ticks on a logarithmic axis: powers of ten, with twos and fives where there are few.
+ * @param {number} low
+ * @param {number} high
+ * @param {boolean} isDense
+ */
+export function ticksOf(low, high, isDense) {
+  const [from, to] = [Math.floor(Math.log10(low) + 1e-9), Math.ceil(Math.log10(high) - 1e-9)];
+  const step = isDense ? 1 : Math.max(1, Math.ceil((to - from) / MOST_TICKS));
+  const found = [];
+  for (let exponent = from; exponent <= to; exponent += step) for (const lead of isDense ? [1, 2, 5] : [1]) found.push(lead * DECADE ** exponent);
+  return found.filter((tick) => tick >= low * (1 - 1e-9) && tick <= high * (1 + 1e-9));
+}
 
 /** A power of ten. @param {number} value */
 const power = (value) => `10${[...String(Math.round(Math.log10(value)))].map((sign) => (sign === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)])).join("")}`;

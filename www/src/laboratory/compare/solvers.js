@@ -150,7 +150,7 @@ export function createSolvers(bench, place) {
       if (!each.outcome || each.method === "lu") return [];
       const color = COLORS[app.ui.value.theme][each.method];
       return [
-        { name: words.residuals.true(methodOf(each, true)), color, dashed: false, points: false, values: each.outcome.residuals.map(positive) },
+        { name: words.residuals.true(methodOf(each, true)), color, dashed: false, points: false, wide: each.method === "none", values: each.outcome.residuals.map(positive) },
         { name: words.residuals.preconditioned(methodOf(each, true)), color, dashed: true, points: false, values: each.outcome.preconditioned.map(positive) },
       ];
     });
