@@ -26,4 +26,6 @@ export const FUNCTIONS = /** @type {const} */ ([
   "transformSteps",
   "part",
   "solveLaplace",
+  "boundary",
+  "exact",
 ]);

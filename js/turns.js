@@ -60,6 +60,8 @@ function goal(name, options) {
   if (name === "solidFile") return { solidFile: options };
   if (name === "hyperpatch") return { hyperpatch: options };
   if (name === "part") return { part: options };
+  if (name === "boundary") return { boundary: {} };
+  if (name === "exact") return { boundary: { points: options } };
   return name === "match" ? options : { greedy: GREEDY.has(name) };
 }
 

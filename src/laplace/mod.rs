@@ -13,6 +13,7 @@ mod check;
 mod cloud;
 mod cluster;
 mod error;
+pub mod faces;
 mod gmres;
 mod job;
 mod lu;
