@@ -8,6 +8,8 @@ import { dimensionOf } from "./models.js";
 
 /** Most groups of a document, as in docs/format.md. */
 export const MOST_GROUPS = 64;
+/** Coordinate beyond which no body of the page reaches. */
+const DEEP = 1e9;
 /** Degrees within which normals face alike, where a group does not say. */
 export const ANGLE = 10;
 
@@ -18,16 +20,24 @@ export function withModel(document, model) {
   if (dimension === dimensionOf(document.model)) return { ...document, model };
   // Vectors have as many coordinates as the body, and a section is one of a body in space.
   const { section: _section, ...others } = document;
-  const fitting = (/** @type {number[]} */ vector) => Array.from({ length: dimension }, (_, k) => vector[k] ?? 0);
-  const groups = document.groups.map(({ where: { direction, box, ...rest }, ...group }) => ({
-    ...group,
-    where: { ...rest, ...(direction ? { direction: isNothing(fitting(direction)) ? fitting([1]) : fitting(direction) } : {}), ...(box ? { box: box.map(fitting) } : {}) },
-  }));
-  return { ...others, model, groups };
+  return { ...others, model, groups: document.groups.map((group) => ({ ...group, where: fitting(group.where, dimension) })) };
 }
 
-/** @param {number[]} vector */
-const isNothing = (vector) => vector.every((value) => value === 0);
+/**
+ * The same elements where the height of the plane is that of space, and the other way round.
+ * @param {Where} where
+ * @param {2 | 3} dimension that is wanted
+ * @returns {Where}
+ */
+function fitting({ direction, box, ...rest }, dimension) {
+  const turned = (/** @type {number[]} */ [x, y, z = 0], /** @type {number} */ deep) => (dimension === 2 ? [x, z] : [x, deep, y]);
+  const along = direction && turned(direction, 0);
+  return {
+    ...rest,
+    ...(along ? { direction: along.every((value) => value === 0) ? turned([1, 0, 0], 0) : along } : {}),
+    ...(box ? { box: [turned(box[0], -DEEP), turned(box[1], DEEP)] } : {}),
+  };
+}
 
 /** @param {LaboratoryDocument} document @param {Partial<Solver>} patch @returns {LaboratoryDocument} */
 export function withSolver(document, patch) {

@@ -10,6 +10,7 @@ import "../../styles/space.css";
 import "../../styles/composition.css";
 import "../../styles/part.css";
 import "../../styles/laboratory.css";
+import { commandOf, runCommand } from "../commands.js";
 import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
 import { createGroups } from "../inspector/inspector.js";
@@ -159,7 +160,7 @@ function openWorkbench(app) {
   const hint = h("p", { class: "lab-hint", hidden: true, "data-lab-hint": "" }, words.boundary.picking);
   const { picture, keyboard, help, zoom } = createStand({ name: "lab", words, view });
   const foot = h("div", { class: "morph lab-foot" }, /** @type {any} */ (view?.triad) ?? h("span", {}), legend.element, zoom);
-  const { resize, close: stopFollowing } = followSize(picture, view, () => ({ top: TOP, bottom: foot.offsetHeight }));
+  const { resize, close: stopFollowing } = followSize(picture, view, () => ({ top: Math.max(TOP, kindLabel.offsetTop + kindLabel.offsetHeight), bottom: foot.offsetHeight }));
   const solversAt = h("div", { class: "lab-solvers", hidden: true, "data-furniture": "" });
   stage.append(picture, plane.element, ...reader.nodes, h("div", { class: "modes", "data-furniture": "" }, look.element), kindLabel, hint, help, message, foot, plane.foot, solversAt);
 
@@ -419,7 +420,8 @@ function openWorkbench(app) {
     solvers.render();
     const { isCurrent } = bench.now();
     const isSettled = known !== null && isCurrent && (known.solution !== null || known.unsolved !== null || !known.boundary.ready);
-    stage.dataset.lab = !isSettled ? "" : face.latest?.isFine && face.latest.of === known ? "fine" : known?.solution ? "solved" : "faulty";
+    const isWhole = isSpace && !document.section ? known?.solution !== null : face.latest?.isFine && face.latest.of === known;
+    stage.dataset.lab = !isSettled ? "" : !known?.solution ? "faulty" : isWhole ? "fine" : "solved";
     renderStatus(bench, status, { reason, face: face.latest, cancel: runner.cancel, retry, show });
   }
 
@@ -427,23 +429,41 @@ function openWorkbench(app) {
 
   /** @param {KeyboardEvent} event */
   function key(event) {
-    if (isElsewhere(event) || shown.look === "solvers") return;
-    if (event.key === "Escape" && shown.picking) {
-      bench.change({ picking: null });
-      event.preventDefault();
-      return;
-    }
-    if (!known?.mesh.soup || !view) return;
+    if (isElsewhere(event)) return;
+    const letter = event.altKey ? "" : event.key.toLowerCase();
     const isOnPicture = event.target === keyboard;
+    if (letter === "c") {
+      bench.change({ look: shown.look === "solvers" ? "solution" : "solvers", picking: null });
+      app.say(words.look[shown.look]);
+    } else if (shown.look === "solvers") return;
+    else if (letter === "p" && shown.group !== null) bench.change({ picking: shown.picking ? null : "direction" });
+    else if (event.key === "Escape" && shown.picking) bench.change({ picking: null });
+    else if (known?.mesh.soup === null) {
+      const command = commandOf(event);
+      if (command?.topic !== "view") return;
+      runCommand(app, command.name);
+    } else if (view) {
+      if (!keyInSpace(event, isOnPicture, view)) return;
+    } else return;
+    event.preventDefault();
+  }
+
+  /**
+   * @param {KeyboardEvent} event
+   * @param {boolean} isOnPicture
+   * @param {import("./space-view.js").SpaceView} seen
+   * @returns {boolean} whether the key meant something
+   */
+  function keyInSpace(event, isOnPicture, seen) {
     if (isOnPicture) keyboard.classList.add("keyed");
     const move = moveOf(event, isOnPicture);
-    if (move) view.move(move);
+    if (move) seen.move(move);
     else if (event.key === "Enter" && isOnPicture) {
-      view.readMiddle(true);
-      if (shown.picking) picker.tap(reader.place);
-    } else if (event.key === "Escape" && (view.readMiddle(false) || shown.group !== null)) bench.change({ group: null });
-    else return;
-    event.preventDefault();
+      seen.readMiddle(true);
+      if (shown.picking) picker.tap(seen.middle);
+    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) bench.change({ group: null });
+    else return false;
+    return true;
   }
 
   // An STL is taken here, before the page would read it as a document.

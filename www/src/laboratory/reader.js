@@ -71,9 +71,6 @@ export function createReader(bench) {
 
   return {
     nodes: [/** @type {any} */ (marks), card],
-    get place() {
-      return place;
-    },
     /**
      * @param {Place | null} next
      * @param {Point | null} at CSS pixels

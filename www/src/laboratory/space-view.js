@@ -57,7 +57,11 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
       return picture.theme;
     },
     read: (at) => read(at && placeAt(at), at, viewer.isCross),
-    speak,
+    speak() {
+      const at = viewer.readAt;
+      read(at && placeAt(at), at, viewer.isCross);
+      speak();
+    },
     tap: (at) => tap(placeAt(at)),
     hull: () => (picture ? cornersOf(picture.mesh.bounds) : []),
     box: () => picture?.mesh.bounds ?? null,
@@ -104,6 +108,11 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
     },
     get size() {
       return space.frame.size;
+    },
+    /** What is seen in the middle of the picture. */
+    get middle() {
+      const { size, top, bottom } = space.frame;
+      return placeAt([size.width / 2, (top + size.height - bottom) / 2]);
     },
     /** Marks a place that is wrong. @param {readonly number[] | null} place */
     witness(place) {

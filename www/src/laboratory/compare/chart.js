@@ -121,11 +121,12 @@ export function createChart({ name, label, across, up, isLogAcross, place, value
   surface.addEventListener("keydown", (event) => {
     const count = shown.places.length;
     const now = plot?.cursor.idx ?? null;
-    const by = { ArrowRight: 1, ArrowLeft: -1, PageDown: 10, PageUp: -10, Home: -count, End: count }[event.key];
+    const by = { ArrowRight: 1, ArrowLeft: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity }[event.key];
     if (!plot || by === undefined || count === 0 || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
-    const next = now === null ? 0 : Math.min(count - 1, Math.max(0, now + by));
+    // The first key begins at the end that it leads away from.
+    const next = Math.min(count - 1, Math.max(0, (now ?? (by < 0 ? count : -1)) + by));
     plot.setCursor({ left: plot.valToPos(shown.places[next], "x"), top: 10 });
     say(told(next));
   });
