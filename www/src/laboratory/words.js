@@ -202,7 +202,7 @@ export const words = {
   exports: {
     heading: "Export",
     json: ["Document", "JSON, opens here again"],
-    elements: ["Solution on the boundary, CSV", "centre, area, group, fractions and fluxes of every element"],
+    elements: ["Boundary, CSV", "centre, area, group, fractions and fluxes of every element"],
     section: ["Section, CSV", "fractions on the pixels of the plane"],
     picture: { heading: "Picture, PNG", scale: "Scale", download: "Download PNG", copy: "Copy", copied: "The picture is copied" },
     tooLarge: "The graphics card draws no picture of that size.",
