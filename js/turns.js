@@ -61,7 +61,7 @@ function goal(name, options) {
   if (name === "hyperpatch") return { hyperpatch: options };
   if (name === "part") return { part: options };
   if (name === "boundary") return { boundary: {} };
-  if (name === "exact") return { boundary: { points: options } };
+  if (name === "exact") return { boundary: { points: options ?? null } };
   return name === "match" ? options : { greedy: GREEDY.has(name) };
 }
 
