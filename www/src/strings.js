@@ -128,6 +128,7 @@ export const strings = {
     curves: "Curves",
     part: "Part",
     hyperpatch: "Hyperpatch",
+    laplace: "Laplace",
     lessons: "Lessons",
     title: "Document title",
     edited: "Edited",
@@ -250,20 +251,6 @@ export const strings = {
 
   sampling: {
     heading: "Sampling",
-    scheme: "Scheme",
-    arcLength: "Arc length",
-    parameter: "Parameter",
-    adaptive: "Adaptive",
-    counts: "Samples",
-    tolerance: "Tolerance",
-    toleranceField: (/** @type {string} */ unit) => `Greatest distance from the chords, ${unit}`,
-    maxTurn: "Greatest turn",
-    degrees: "°",
-    minCount: "Fewest",
-    maxTurnField: "Greatest turn from one sample to the next, degrees",
-    minCountField: "Fewest samples of a curve",
-    taken: (/** @type {number[]} */ counts) => counts.join(" : "),
-    count: (/** @type {string} */ curve) => `Samples on ${curve}`,
     phrase: (/** @type {string} */ scheme, /** @type {number[]} */ counts) => `${scheme} · ${counts.join(" : ")}`,
   },
 
@@ -285,11 +272,6 @@ export const strings = {
 
   blend: {
     heading: "Blend",
-    kind: "Across",
-    ruled: "Linear",
-    cubic: "Cubic",
-    stages: "Stages",
-    names: "Names on the in-betweens",
     phrase: (/** @type {number} */ stages, /** @type {boolean} */ cubic) => `${plural(stages, "stage", "stages")} · ${cubic ? "cubic" : "Oklab"}`,
   },
 

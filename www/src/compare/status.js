@@ -9,6 +9,7 @@ import { explain } from "../explain.js";
 import { editable, fixed, milliseconds } from "../format.js";
 import { command, item, label, strong } from "../frame/status-parts.js";
 import { symbol } from "../icons.js";
+import { words as sampling } from "../inspector/sampling-words.js";
 import { fillStatus } from "../modes/status-line.js";
 import { strings } from "../strings.js";
 import { bestOf, faultsOf, median, METHODS } from "./methods.js";
@@ -50,7 +51,7 @@ export function renderStatus(app, element, { results, cancel, retry }) {
 function samples({ store }, done) {
   // The rotations take the larger number on both curves, the others the document's own.
   const taken = done.at(-1)?.match?.samples ?? [];
-  return strings.sampling.taken(store.document.sampling.counts.map((count, k) => taken[k]?.points.length ?? count));
+  return sampling.taken(store.document.sampling.counts.map((count, k) => taken[k]?.points.length ?? count));
 }
 
 /** @param {App} app */

@@ -1,69 +1,26 @@
 /**
- * Blend: how a stack is blended, how many stages lie from curve to curve, whether they have names, and how the morph moves.
+ * Blend: the group of the inspector. Its fields are loaded when it is open.
  *
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
-import { checkBox, segment } from "../controls/choices.js";
-import { row } from "../controls/row.js";
-import { h } from "../dom.js";
-import { later } from "../later.js";
-import { patch } from "../state/edits.js";
 import { strings } from "../strings.js";
-import { editing } from "./edit.js";
-import { weight } from "./weight.js";
+import { laterGroup } from "./later-group.js";
 
-/** End of the slider, and the most stages the format allows. */
-const REACH = 20;
-const MOST = 200;
+/** Whether there are more than two curves: two are blended alike either way. @param {App} app */
+export const isStack = (app) => app.store.document.curves.length > 2;
 
 /**
  * @param {App} app
  * @returns {Group}
  */
-export function blendGroup(app) {
-  const words = strings.blend;
-  /** Two curves are blended alike either way. */
-  const isStack = () => app.store.document.curves.length > 2;
-  const stages = weight(
-    { label: words.stages, name: "stages", min: 1, reach: REACH, max: MOST, step: 1, whole: true },
-    editing(app, (document, value) =>
-      document.blend.stages === value ? document : patch(document, "blend", { stages: value }),
-    ),
-  );
-  const names = checkBox({ name: "stage-labels", text: [words.names] }, (on) => app.ui.set({ stageLabels: on }));
-  const kind = segment(
-    {
-      label: words.kind,
-      name: "blend-kind",
-      choices: [
-        { value: "ruled", text: words.ruled },
-        { value: "cubic", text: words.cubic },
-      ],
-    },
-    (value) => app.store.commit({ change: (document) => patch(document, "blend", { kind: value === "cubic" ? "cubic" : "ruled" }) }),
-  );
-  const kindRow = row(words.kind, kind);
-  const body = h("div", {}, kindRow, row(words.stages, ...stages.controls), row("", names));
-  const motion = later(app, () => true, async () => {
-    const { motionRows } = await import("../morph/motion-rows.js");
-    return () => {
-      const rows = motionRows(app, "blend");
-      body.append(rows.element);
-      return rows;
-    };
-  });
-  return {
+export const blendGroup = (app) =>
+  laterGroup(app, {
     name: "blend",
-    heading: words.heading,
-    body,
-    phrase: () => words.phrase(app.store.document.blend.stages, isStack() && app.store.document.blend.kind === "cubic"),
-    render() {
-      kindRow.hidden = !isStack();
-      kind.set(app.store.document.blend.kind);
-      stages.set(app.store.document.blend.stages);
-      names.set(app.ui.value.stageLabels);
-      motion.render();
+    heading: strings.blend.heading,
+    phrase() {
+      const { stages, kind } = app.store.document.blend;
+      return strings.blend.phrase(stages, isStack(app) && kind === "cubic");
     },
-  };
-}
+    load: () => import("./blend-fields.js").then(({ createBlendFields }) => createBlendFields),
+  });

@@ -4,38 +4,22 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
-import { h } from "../dom.js";
 import { editable } from "../format.js";
-import { later } from "../later.js";
 import { strings } from "../strings.js";
+import { laterGroup } from "./later-group.js";
 
 /**
  * @param {App} app
  * @returns {Group}
  */
-export function matchingGroup(app) {
-  const words = strings.matching;
-  const body = h("div", { class: "matching" });
-  const fields = later(
-    app,
-    () => true,
-    async () => {
-      const { createMatchingFields } = await import("./matching-fields.js");
-      return () => {
-        const part = createMatchingFields(app);
-        body.append(part.element);
-        return part;
-      };
-    },
-  );
-  return {
+export const matchingGroup = (app) =>
+  laterGroup(app, {
     name: "matching",
-    heading: words.heading,
-    body,
+    heading: strings.matching.heading,
+    class: "matching",
     phrase() {
       const { method, normalWeight, distanceWeight } = app.store.document.matching;
-      return words.phrase(method, editable(normalWeight, 1), editable(distanceWeight, 1));
+      return strings.matching.phrase(method, editable(normalWeight, 1), editable(distanceWeight, 1));
     },
-    render: () => fields.render(),
-  };
-}
+    load: () => import("./matching-fields.js").then(({ createMatchingFields }) => createMatchingFields),
+  });

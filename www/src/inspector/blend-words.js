@@ -1,0 +1,9 @@
+/** Words of the fields of the blend. */
+
+export const words = {
+  kind: "Across",
+  ruled: "Linear",
+  cubic: "Cubic",
+  stages: "Stages",
+  names: "Names on the in-betweens",
+};

@@ -1,0 +1,39 @@
+/**
+ * Opening an STL of the person's own as the body of the problem: by a button or by dropping it. Whatever is wrong with it, the problem stays.
+ *
+ * @import { Bench } from "./state.js"
+ */
+import { problem } from "../painter.js";
+import { withModel } from "./edits.js";
+import { readStl } from "./stl.js";
+import { words } from "./words.js";
+
+/** Bytes of a file at most: a text of as many triangles as the solver takes stays below. */
+const MOST_BYTES = 16 << 20;
+
+/**
+ * @param {Bench} bench
+ * @param {File} file
+ * @param {(message: string | null) => void} tell why it was refused; null when it was taken
+ */
+export async function openStl(bench, file, tell) {
+  const text = words.model;
+  try {
+    if (file.size > MOST_BYTES) throw new Error(`it has ${Math.round(file.size / 2 ** 20)} MiB; expected at most 16`);
+    const { vertices, triangles } = readStl(await file.arrayBuffer());
+    const model = { kind: "mesh", vertices, triangles };
+    const { section: _section, ...document } = bench.now().document;
+    // A boundary that the kernel cannot read at all is refused before it takes the place of the body.
+    await bench.app.kernel.boundary(/** @type {any} */ ({ ...document, model }));
+    bench.commit(({ section: _before, ...now }) => withModel(now, model));
+    tell(null);
+    bench.app.say(text.imported(file.name, triangles.length));
+  } catch (error) {
+    const message = text.refused(file.name, problem(error).message);
+    tell(message);
+    bench.app.say(message);
+  }
+}
+
+/** Whether a file is meant to be an STL. @param {{name: string}} file */
+export const isStl = ({ name }) => /\.stl$/i.test(name);
