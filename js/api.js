@@ -236,6 +236,14 @@ export function createApi(engine) {
         }
         return shapesOf(whole(engine, "readShapes").readShapes(text, format));
       }),
+    readMesh: (bytes) =>
+      ask(() => {
+        const list = bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes;
+        if (!(list instanceof Uint8Array)) {
+          throw new DirectrixError("type", "bytes", `${String(list)} was found; expected a Uint8Array or an ArrayBuffer`);
+        }
+        return whole(engine, "readMesh").readMesh(list);
+      }),
     fitCurve: (points, options) =>
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
     morphPaths: (document, options = {}) =>

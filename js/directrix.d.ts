@@ -761,6 +761,17 @@ export interface LaplaceInput {
   solver?: LaplaceSolver;
 }
 
+/** Triangles as they were read from a file. */
+export interface ReadMesh {
+  /** Three coordinates each; those that are equal are one vertex. */
+  vertices: Float64Array;
+  /** Three vertices each, at most 32 000 triangles. */
+  triangles: Uint32Array;
+  /** Triangles with two equal vertices, which were left out. */
+  dropped: number;
+  format: "binary" | "text";
+}
+
 /** A document of a boundary value problem; docs/format.md defines every field. */
 export interface LaplaceDocument {
   directrix: 1;
@@ -1399,6 +1410,8 @@ export interface Directrix {
   part(document: PartDocument | string): Part;
   /** Laplace's equation by boundary elements. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   solveLaplace(input: LaplaceInput): LaplaceSolution;
+  /** The triangles of an STL file, binary or text, of at most 16 MiB. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  readMesh(bytes: Uint8Array | ArrayBuffer): ReadMesh;
   /** The boundary that a document makes, with the condition of each element. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   boundary(document: LaplaceDocument | string): LaplaceBoundary;
   /**

@@ -15,6 +15,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "span",
   "explain",
   "readShapes",
+  "readMesh",
   "fitCurve",
   "morphPaths",
   "amounts",

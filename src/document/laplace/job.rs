@@ -30,6 +30,7 @@ pub struct BoundaryJob {
     shared: HashMap<(usize, Vec<u64>), u32>,
     /// Elements looked at.
     done: usize,
+    is_checked: bool,
     missing: Tally,
 }
 
@@ -120,7 +121,7 @@ impl BoundaryJob {
                 });
             }
         }
-        Self { boundary, mesh, panels, sets, shared, done: 0, missing: Tally::default() }
+        Self { boundary, mesh, panels, sets, shared, done: 0, is_checked: false, missing: Tally::default() }
     }
 
     /// Goes on while it may; `true` once everything is found.
@@ -135,7 +136,19 @@ impl BoundaryJob {
                 return false;
             }
         }
-        self.finish();
+        if !self.is_checked {
+            self.check();
+            self.is_checked = true;
+            if !may_go_on() {
+                return false;
+            }
+        }
+        if self.boundary.is_ready() {
+            self.boundary.exact = Exact::of(&self.boundary, &self.panels, |element, point| {
+                let set = self.boundary.members[element] as usize;
+                self.sets[set].known.as_ref().map(|known| known.at(point).collect())
+            });
+        }
         true
     }
 
@@ -207,7 +220,7 @@ impl BoundaryJob {
         self.boundary.groups.push(number);
     }
 
-    fn finish(&mut self) {
+    fn check(&mut self) {
         let none = self.boundary.conditions.len() as u32;
         self.boundary.groups.iter_mut().filter(|group| **group == u32::MAX).for_each(|group| *group = none);
         self.say_of_sets();
@@ -238,10 +251,6 @@ impl BoundaryJob {
             Ok(_) => {
                 let options = self.boundary.document.options;
                 self.boundary.diagnostics.extend(method(self.panels.len(), options));
-                self.boundary.exact = Exact::of(&self.boundary, &self.panels, |element, point| {
-                    let set = self.boundary.members[element] as usize;
-                    self.sets[set].known.as_ref().map(|known| known.at(point).collect())
-                });
             }
         }
     }

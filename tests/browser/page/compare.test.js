@@ -8,6 +8,7 @@ import { root } from "../../../scripts/lib/paths.mjs";
 import { audit } from "../support/axe.js";
 import { screenshot } from "../support/screenshot.js";
 import { PHONE } from "./drawing.js";
+import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, pick, spoken, status, uiOf } from "./workbench.js";
 
@@ -77,40 +78,164 @@ async function expected(document) {
   );
 }
 
-test("the bars hold what the kernel says of every method, on one scale, and the best is named", async (t) => {
-  const page = await openPage(t);
-  const document = await documentOf(page);
-  await compare(page);
-  const found = await expected(document);
-  const power = Math.floor(Math.log10(Math.max(...NAMES.map((name) => found[name].even.totals.pairs?.integral ?? 0))));
-  /** @type {[number, number][]} */
-  const widths = [];
-  for (const name of NAMES) {
-    const { match, even } = found[name];
-    const shown = match.totals.pairs ?? match.totals.lines;
-    assert.ok(shown && even.totals.pairs);
-    assert.equal(await cell(page, "eta", name), (even.totals.pairs.eta ?? 0).toFixed(3), name);
-    assert.equal(await cell(page, "integral", name), ((even.totals.pairs.integral ?? 0) / 10 ** power).toFixed(2), name);
-    assert.equal(await cell(page, "mean", name), ((shown.mean ?? 0) / 10 ** power).toFixed(2), name);
-    assert.equal(await cell(page, "count", name), String(shown.count), name);
-    assert.equal(await cell(page, "crossings", name), String(shown.crossings), name);
-    assert.equal(await cell(page, "blocked", name), String(shown.blocked), name);
-    const row = page.locator(`table[data-measures=eta] [data-row="${name}"]`);
-    assert.equal(await row.locator(".bars-mark").isVisible(), !match.ok, name);
-    const bar = await row.locator(".bar-fill").boundingBox();
-    widths.push([even.totals.pairs.eta ?? 0, bar?.width ?? 0]);
-    if (!match.ok) {
-      const { crossings, blocked } = shown;
-      assert.match(await picture(page, name).innerText(), new RegExp(`${crossings} crossings?, ${blocked} blocked: no blend drawn`));
+onOnePage("the comparison of the first figure", {
+  "the bars hold what the kernel says of every method, on one scale, and the best is named": async (page) => {
+    const document = await documentOf(page);
+    await compare(page);
+    const found = await expected(document);
+    const power = Math.floor(Math.log10(Math.max(...NAMES.map((name) => found[name].even.totals.pairs?.integral ?? 0))));
+    /** @type {[number, number][]} */
+    const widths = [];
+    for (const name of NAMES) {
+      const { match, even } = found[name];
+      const shown = match.totals.pairs ?? match.totals.lines;
+      assert.ok(shown && even.totals.pairs);
+      assert.equal(await cell(page, "eta", name), (even.totals.pairs.eta ?? 0).toFixed(3), name);
+      assert.equal(await cell(page, "integral", name), ((even.totals.pairs.integral ?? 0) / 10 ** power).toFixed(2), name);
+      assert.equal(await cell(page, "mean", name), ((shown.mean ?? 0) / 10 ** power).toFixed(2), name);
+      assert.equal(await cell(page, "count", name), String(shown.count), name);
+      assert.equal(await cell(page, "crossings", name), String(shown.crossings), name);
+      assert.equal(await cell(page, "blocked", name), String(shown.blocked), name);
+      const row = page.locator(`table[data-measures=eta] [data-row="${name}"]`);
+      assert.equal(await row.locator(".bars-mark").isVisible(), !match.ok, name);
+      const bar = await row.locator(".bar-fill").boundingBox();
+      widths.push([even.totals.pairs.eta ?? 0, bar?.width ?? 0]);
+      if (!match.ok) {
+        const { crossings, blocked } = shown;
+        assert.match(await picture(page, name).innerText(), new RegExp(`${crossings} crossings?, ${blocked} blocked: no blend drawn`));
+      }
     }
-  }
-  for (const [eta, width] of widths) {
-    assert.ok(Math.abs(width / eta - widths[5][1] / widths[5][0]) < 1.5, `${width} px for ${eta}`);
-  }
-  const best = found.exact.even.totals.pairs?.eta ?? 0;
-  assert.match(await status(page), new RegExp(`best\\s*η\\s*${best.toFixed(3)}, Exact`));
-  assert.match(await status(page), /1 of 6 fails its certificate/);
-  assert.match(await status(page), /44 : 44/);
+    for (const [eta, width] of widths) {
+      assert.ok(Math.abs(width / eta - widths[5][1] / widths[5][0]) < 1.5, `${width} px for ${eta}`);
+    }
+    const best = found.exact.even.totals.pairs?.eta ?? 0;
+    assert.match(await status(page), new RegExp(`best\\s*η\\s*${best.toFixed(3)}, Exact`));
+    assert.match(await status(page), /1 of 6 fails its certificate/);
+    assert.match(await status(page), /44 : 44/);
+  },
+
+  "every time is a median of runs in the worker, and all of them together stand in the status line": async (page) => {
+    await compare(page);
+    await eventually(async () => {
+      assert.match(await page.locator("table[data-measures=time] thead").innerText(), /ms, median of (5|3 to 5)/);
+      const times = await Promise.all(NAMES.map(async (name) => Number(await cell(page, "time", name))));
+      assert.ok(times.every((each) => each > 0), `${times}`);
+      const sum = times.reduce((total, each) => total + each, 0);
+      const shown = Number(/(\d+)\s*ms in all/.exec((await status(page)).replace(/\s+/g, " "))?.[1]);
+      assert.ok(Math.abs(shown - sum) <= 1, `${shown} for ${times}`);
+      assert.ok(times[5] > times[0], "the refined optimum takes longer than counting samples");
+    });
+  },
+
+  "pictures are the kernel's: blended where the certificate holds, red dashes where it fails": async (page) => {
+    await compare(page);
+    /** Pixels of a picture: those with a strong colour, and those of the error colour. @param {string} name */
+    const pixels = async (name) => {
+      const { data } = PNG.sync.read(await picture(page, name).locator("canvas").screenshot());
+      let [strong, red] = [0, 0];
+      for (let i = 0; i < data.length; i += 4) {
+        const [r, g, b] = data.subarray(i, i + 3);
+        if (Math.max(r, g, b) - Math.min(r, g, b) > 60) strong += 1;
+        if (r > 150 && g < 110 && b < 110) red += 1;
+      }
+      return { share: strong / (data.length / 4), red };
+    };
+    const broken = await pixels("parameter");
+    assert.ok(broken.share < 0.02 && broken.red > 20, JSON.stringify(broken));
+    for (const name of ["shift", "one-per-vertex", "sum", "greedy", "exact"]) {
+      const { share, red } = await pixels(name);
+      assert.ok(share > 0.15 && red === 0, `${name}: ${share}, ${red}`);
+    }
+  },
+
+  "one pointer lights the line nearest to it in every picture": async (page) => {
+    const document = await documentOf(page);
+    await compare(page);
+    const found = await expected(document);
+    const plot = picture(page, "greedy").locator(".method-frame");
+    const box = await plot.boundingBox();
+    assert.ok(box);
+    /** The lit line of a picture, in pixels. @param {string} name */
+    const lit = async (name) => {
+      const marks = picture(page, name).locator(".marks");
+      assert.ok(await marks.isVisible(), name);
+      const d = (await marks.locator(".lit-core").getAttribute("d")) ?? "";
+      const numbers = (d.match(/-?[\d.]+/g) ?? []).map(Number);
+      return [numbers.slice(0, 2), numbers.slice(2, 4)];
+    };
+    for (const [fx, fy] of [[0.2, 0.5], [0.5, 0.25], [0.88, 0.6]]) {
+      const at = [box.width * fx, box.height * fy];
+      await page.mouse.move(box.x + at[0], box.y + at[1]);
+      for (const name of NAMES) {
+        const { match } = found[name];
+        const lines = match.pairs.length
+          ? match.pairs.map(({ from, to }) => [from, to])
+          : match.lines.map(({ from, to }) => [match.samples[0].points[from], match.samples[1].points[to]]);
+        const ends = await lit(name);
+        // The view follows from the two ends of any line: its place in the plane is a shift and a scale away.
+        const view = await viewOf(page, name, document);
+        const onScreen = lines.map((line) => line.map((point) => view(point)));
+        const distance = (/** @type {number[][]} */ [a, b]) => {
+          let least = Infinity;
+          for (let k = 0; k <= 400; k += 1) {
+            const [x, y] = [0, 1].map((axis) => a[axis] + ((b[axis] - a[axis]) * k) / 400);
+            least = Math.min(least, Math.hypot(x - at[0], y - at[1]));
+          }
+          return least;
+        };
+        const least = Math.min(...onScreen.map(distance));
+        assert.ok(distance(ends) < least + 0.6, `${name}: ${distance(ends)} px, and another is ${least} px away`);
+        const isOne = onScreen.some((line) => line.every(([x, y], i) => Math.hypot(x - ends[i][0], y - ends[i][1]) < 0.2));
+        assert.ok(isOne, `${name}: what is lit is one of its lines`);
+      }
+    }
+    await page.mouse.move(box.x + box.width / 2, 20);
+    for (const name of NAMES) assert.ok(await picture(page, name).locator(".marks").isHidden(), name);
+  },
+
+  "by keyboard: arrows from picture to picture, page keys from line to line, Enter works with one": async (page) => {
+    await page.keyboard.press("3");
+    await settled(page);
+    const group = page.locator(".methods [data-method][tabindex='0']");
+    assert.equal(await group.count(), 1, "one tab stop");
+    await group.focus();
+    await page.keyboard.press("Home");
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowDown");
+    const focused = () => page.evaluate(() => globalThis.document.activeElement?.getAttribute("data-method"));
+    assert.equal(await focused(), "greedy");
+    await page.keyboard.press("PageDown");
+    await page.keyboard.press("PageDown");
+    await eventually(async () => assert.match(await spoken(page), /^Greedy: line 2 of \d+, f /));
+    for (const name of NAMES) assert.ok(await picture(page, name).locator(".marks").isVisible(), name);
+    await page.keyboard.press("Escape");
+    assert.ok(await picture(page, "greedy").locator(".marks").isHidden());
+    const name = (await picture(page, "parameter").textContent()) ?? "";
+    assert.match(name, /Same parameter η 0\.\d{3}.*blocked: no blend drawn, infeasible, 44 lines/);
+    await page.keyboard.press("Delete");
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.equal((await documentOf(page)).matching.method, "greedy"));
+    const document = await documentOf(page);
+    assert.equal(document.curves[1].points.length, 14, "keys of the figure did nothing");
+    assert.equal(await page.evaluate(() => globalThis.document.activeElement?.getAttribute("value")), "figure", "the focus goes to the switch");
+  },
+
+  "a click goes on working with a method, and undo takes it back": async (page) => {
+    const before = await documentOf(page);
+    await compare(page);
+    await picture(page, "shift").click();
+    await eventually(async () => assert.match(await status(page), /Verified/));
+    assert.equal((await uiOf(page)).mode, "figure");
+    const { matching } = await documentOf(page);
+    assert.deepEqual([matching.method, matching.shift, matching.oneToOne], ["shift", "best", true]);
+    await eventually(async () => assert.match(await spoken(page), /Working with Best shift/));
+    assert.ok(await handle(page, "A1").isVisible());
+    await page.keyboard.press("3");
+    await eventually(async () => assert.equal(await picture(page, "shift").getAttribute("aria-current"), "true"));
+    await page.keyboard.press("1");
+    await page.keyboard.press("Control+z");
+    assert.deepEqual(await documentOf(page), before);
+  },
 });
 
 test("a result that breaks a constraint is never the best, however large its value", async (t) => {
@@ -127,74 +252,6 @@ test("a result that breaks a constraint is never the best, however large its val
   for (const name of NAMES) assert.ok((await page.locator(`[data-row="${name}"].broken`).count()) > 0, name);
   assert.equal(await cell(page, "eta", "greedy"), "\u2013");
   assert.match(await picture(page, "greedy").innerText(), /\d+ \+ \d+ vertices not covered: no blend drawn/);
-});
-
-test("pictures are the kernel's: blended where the certificate holds, red dashes where it fails", async (t) => {
-  const page = await openPage(t);
-  await compare(page);
-  /** Pixels of a picture: those with a strong colour, and those of the error colour. @param {string} name */
-  const pixels = async (name) => {
-    const { data } = PNG.sync.read(await picture(page, name).locator("canvas").screenshot());
-    let [strong, red] = [0, 0];
-    for (let i = 0; i < data.length; i += 4) {
-      const [r, g, b] = data.subarray(i, i + 3);
-      if (Math.max(r, g, b) - Math.min(r, g, b) > 60) strong += 1;
-      if (r > 150 && g < 110 && b < 110) red += 1;
-    }
-    return { share: strong / (data.length / 4), red };
-  };
-  const broken = await pixels("parameter");
-  assert.ok(broken.share < 0.02 && broken.red > 20, JSON.stringify(broken));
-  for (const name of ["shift", "one-per-vertex", "sum", "greedy", "exact"]) {
-    const { share, red } = await pixels(name);
-    assert.ok(share > 0.15 && red === 0, `${name}: ${share}, ${red}`);
-  }
-});
-
-test("one pointer lights the line nearest to it in every picture", async (t) => {
-  const page = await openPage(t);
-  const document = await documentOf(page);
-  await compare(page);
-  const found = await expected(document);
-  const plot = picture(page, "greedy").locator(".method-frame");
-  const box = await plot.boundingBox();
-  assert.ok(box);
-  /** The lit line of a picture, in pixels. @param {string} name */
-  const lit = async (name) => {
-    const marks = picture(page, name).locator(".marks");
-    assert.ok(await marks.isVisible(), name);
-    const d = (await marks.locator(".lit-core").getAttribute("d")) ?? "";
-    const numbers = (d.match(/-?[\d.]+/g) ?? []).map(Number);
-    return [numbers.slice(0, 2), numbers.slice(2, 4)];
-  };
-  for (const [fx, fy] of [[0.2, 0.5], [0.5, 0.25], [0.88, 0.6]]) {
-    const at = [box.width * fx, box.height * fy];
-    await page.mouse.move(box.x + at[0], box.y + at[1]);
-    for (const name of NAMES) {
-      const { match } = found[name];
-      const lines = match.pairs.length
-        ? match.pairs.map(({ from, to }) => [from, to])
-        : match.lines.map(({ from, to }) => [match.samples[0].points[from], match.samples[1].points[to]]);
-      const ends = await lit(name);
-      // The view follows from the two ends of any line: its place in the plane is a shift and a scale away.
-      const view = await viewOf(page, name, document);
-      const onScreen = lines.map((line) => line.map((point) => view(point)));
-      const distance = (/** @type {number[][]} */ [a, b]) => {
-        let least = Infinity;
-        for (let k = 0; k <= 400; k += 1) {
-          const [x, y] = [0, 1].map((axis) => a[axis] + ((b[axis] - a[axis]) * k) / 400);
-          least = Math.min(least, Math.hypot(x - at[0], y - at[1]));
-        }
-        return least;
-      };
-      const least = Math.min(...onScreen.map(distance));
-      assert.ok(distance(ends) < least + 0.6, `${name}: ${distance(ends)} px, and another is ${least} px away`);
-      const isOne = onScreen.some((line) => line.every(([x, y], i) => Math.hypot(x - ends[i][0], y - ends[i][1]) < 0.2));
-      assert.ok(isOne, `${name}: what is lit is one of its lines`);
-    }
-  }
-  await page.mouse.move(box.x + box.width / 2, 20);
-  for (const name of NAMES) assert.ok(await picture(page, name).locator(".marks").isHidden(), name);
 });
 
 /**
@@ -215,52 +272,6 @@ async function viewOf(page, name, document) {
   const middle = span.map(([low, high]) => (low + high) / 2);
   return (/** @type {number[]} */ [x, y]) => [width / 2 + (x - middle[0]) * scale, height / 2 - (y - middle[1]) * scale];
 }
-
-test("a click goes on working with a method, and undo takes it back", async (t) => {
-  const page = await openPage(t);
-  const before = await documentOf(page);
-  await compare(page);
-  await picture(page, "shift").click();
-  await eventually(async () => assert.match(await status(page), /Verified/));
-  assert.equal((await uiOf(page)).mode, "figure");
-  const { matching } = await documentOf(page);
-  assert.deepEqual([matching.method, matching.shift, matching.oneToOne], ["shift", "best", true]);
-  await eventually(async () => assert.match(await spoken(page), /Working with Best shift/));
-  assert.ok(await handle(page, "A1").isVisible());
-  await page.keyboard.press("3");
-  await eventually(async () => assert.equal(await picture(page, "shift").getAttribute("aria-current"), "true"));
-  await page.keyboard.press("1");
-  await page.keyboard.press("Control+z");
-  assert.deepEqual(await documentOf(page), before);
-});
-
-test("by keyboard: arrows from picture to picture, page keys from line to line, Enter works with one", async (t) => {
-  const page = await openPage(t);
-  await page.keyboard.press("3");
-  await settled(page);
-  const group = page.locator(".methods [data-method][tabindex='0']");
-  assert.equal(await group.count(), 1, "one tab stop");
-  await group.focus();
-  await page.keyboard.press("Home");
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("ArrowDown");
-  const focused = () => page.evaluate(() => globalThis.document.activeElement?.getAttribute("data-method"));
-  assert.equal(await focused(), "greedy");
-  await page.keyboard.press("PageDown");
-  await page.keyboard.press("PageDown");
-  await eventually(async () => assert.match(await spoken(page), /^Greedy: line 2 of \d+, f /));
-  for (const name of NAMES) assert.ok(await picture(page, name).locator(".marks").isVisible(), name);
-  await page.keyboard.press("Escape");
-  assert.ok(await picture(page, "greedy").locator(".marks").isHidden());
-  const name = (await picture(page, "parameter").textContent()) ?? "";
-  assert.match(name, /Same parameter η 0\.\d{3}.*blocked: no blend drawn, infeasible, 44 lines/);
-  await page.keyboard.press("Delete");
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.equal((await documentOf(page)).matching.method, "greedy"));
-  const document = await documentOf(page);
-  assert.equal(document.curves[1].points.length, 14, "keys of the figure did nothing");
-  assert.equal(await page.evaluate(() => globalThis.document.activeElement?.getAttribute("value")), "figure", "the focus goes to the switch");
-});
 
 test("the mode is kept over a reload, and the figure comes back as it was", async (t) => {
   const page = await openPage(t);
@@ -308,20 +319,6 @@ test("the comparison follows undo, redo, presets and the theme, and the last one
   };
   await page.locator("[data-action=theme]").click();
   await eventually(async () => assert.deepEqual(await corner(), [14, 15, 18]));
-});
-
-test("every time is a median of runs in the worker, and all of them together stand in the status line", async (t) => {
-  const page = await openPage(t);
-  await compare(page);
-  await eventually(async () => {
-    assert.match(await page.locator("table[data-measures=time] thead").innerText(), /ms, median of (5|3 to 5)/);
-    const times = await Promise.all(NAMES.map(async (name) => Number(await cell(page, "time", name))));
-    assert.ok(times.every((each) => each > 0), `${times}`);
-    const sum = times.reduce((total, each) => total + each, 0);
-    const shown = Number(/(\d+)\s*ms in all/.exec((await status(page)).replace(/\s+/g, " "))?.[1]);
-    assert.ok(Math.abs(shown - sum) <= 1, `${shown} for ${times}`);
-    assert.ok(times[5] > times[0], "the refined optimum takes longer than counting samples");
-  });
 });
 
 test("curves that cannot be matched, or are not there, are said so", async (t) => {
