@@ -4,6 +4,8 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
 import { load } from "directrix";
+import { faceOf, planeOf as sectionOf, shapeOf } from "../../js/element/problem/picture.js";
+import { resultOf } from "../../js/element/problem/problem-scene.js";
 import { root } from "../../scripts/lib/paths.mjs";
 import { innerOf, lattice } from "../../www/src/laboratory/accuracy.js";
 import { csvOf } from "../../www/src/laboratory/compare/csv.js";
@@ -14,7 +16,6 @@ import { boundsOf, countOf, grown, jointsOf, normalOf, rimOf, runsOf, soupOf } f
 import { inSize, isNamed, modelOf, MODELS } from "../../www/src/laboratory/models.js";
 import { colorsOf, grown as spread, levelLines } from "../../www/src/laboratory/pixels.js";
 import { acrossOf, faceFrame, flipped, pixelsOf, placed, placeOf, planeOf, through } from "../../www/src/laboratory/section-state.js";
-import { readStl, StlError } from "../../www/src/laboratory/stl.js";
 
 const dx = await load();
 /** @param {string} name @returns {Promise<any>} */
@@ -42,30 +43,6 @@ test("a cube has its normals, its edges once, and patches that end at its edges"
   assert.deepEqual(runsOf([0, 1, 2, 5, 7, 8]), [[0, 2], [5, 5], [7, 8]]);
   const { positions, normals, indices } = soupOf(boundary);
   assert.deepEqual([positions.length, normals.length, indices.length], [9 * 768, 9 * 768, 3 * 768]);
-});
-
-test("an STL is read as text and as a binary, with corners at one place made one", () => {
-  const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]];
-  const faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [1, 1, 2]];
-  const text = `solid t\n${faces.map((face) => `facet normal 0 0 0 outer loop ${face.map((k) => `vertex ${corners[k].join(" ")}`).join("\n")} endloop endfacet`).join("\n")}\nendsolid`;
-  const bytes = new TextEncoder().encode(text);
-  const read = readStl(/** @type {ArrayBuffer} */ (bytes.buffer));
-  assert.deepEqual([read.vertices.length, read.triangles.length, read.left], [4, 4, 1]);
-  const view = new DataView(new ArrayBuffer(84 + 50 * faces.length));
-  view.setUint32(80, faces.length, true);
-  faces.forEach((face, n) => face.forEach((k, i) => corners[k].forEach((value, axis) => view.setFloat32(84 + 50 * n + 12 + 12 * i + 4 * axis, value, true))));
-  assert.deepEqual(readStl(view.buffer), read);
-  const solved = dx.boundary({ ...cube, groups: [], model: { kind: "mesh", vertices: read.vertices, triangles: read.triangles } });
-  assert.ok(solved.ready);
-  for (const [bad, reason] of /** @type {const} */ ([
-    ["nothing", /it is no STL/],
-    ["solid x\nendsolid", /no triangles/],
-    ["solid x vertex 0 0 0 vertex 1 0 0", /three for each triangle/],
-    ["solid x vertex 0 0 zero vertex 1 0 0 vertex 0 1 0", /“zero” was found in vertex 1/],
-    ["solid x vertex 0 0 0 vertex 0 0 0 vertex 0 1 0", /no triangle has an area/],
-  ])) {
-    assert.throws(() => readStl(/** @type {ArrayBuffer} */ (new TextEncoder().encode(bad).buffer)), (error) => error instanceof StlError && reason.test(error.message));
-  }
 });
 
 test("pixels have the colours of the materials, are grown beyond their edge, and have lines of equal fraction", () => {
@@ -150,4 +127,26 @@ test("curves of residuals are those of the worst material, slopes those of lines
   assert.ok(slope !== null && Math.abs(slope + 1.4) < 1e-12);
   assert.equal(slopeOf([{ x: 1, y: 1 }, { x: 2, y: 0 }]), null);
   assert.equal(csvOf([["a,b", 'c"d'], [0.1, 1e-7]]), '"a,b","c""d"\n0.1,1e-7\n');
+});
+
+test("a figure has the boundary in the colours of its conditions, and the solution on its section within the body", async () => {
+  const { conditions, dimension, elements, groups, vertices, composition, solver } = boundary;
+  const solution = dx.solveLaplace({ conditions, dimension, elements, groups, vertices, composition, solver });
+  const remote = /** @type {any} */ ({ section: async (/** @type {any} */ frame) => solution.section(frame) });
+  const shape = shapeOf(boundary, cube.materials);
+  assert.deepEqual(shape.bounds, { min: [0, 0, 0], max: [1, 1, 1] });
+  assert.equal(shape.labs.length, 9 * 768);
+  const plane = sectionOf(cube);
+  assert.deepEqual(plane, { normal: [0, 1, 0], offset: 0.5 });
+  const { section, labs } = await faceOf(remote, { boundary, materials: cube.materials, plane }, 24, {});
+  // Every pixel of the square is inside: two triangles each, and the four sides of the cut as lines.
+  assert.equal(section.indices.length, 6 * 24 * 24);
+  assert.equal(labs.length, section.positions.length);
+  assert.ok(section.outline.length >= 2 * 4 * 8);
+  for (let k = 0; k < section.positions.length; k += 3) assert.ok(Math.abs(section.positions[k + 1] - 0.5) < 1e-6 && section.positions[k] > -1e-6 && section.positions[k + 2] < 1 + 1e-6);
+  const told = resultOf(cube, boundary, /** @type {any} */ (solution));
+  assert.equal(told.ok, true);
+  assert.equal(told.text, `Cube: Section of a solution in space, 768 triangles, solved, ${solution.iterations[0]} iterations.`);
+  const faulty = resultOf(cube, boundaryOf(withRest(cube, null)), null);
+  assert.deepEqual([faulty.ok, faulty.diagnostics], [false, ["missing"]]);
 });

@@ -71,6 +71,7 @@ export const words = {
     name: "Name",
     group: (/** @type {number} */ nth) => `group ${nth}`,
     remove: "Delete group",
+    turn: "Turn all triangles over",
     up: "Earlier",
     condition: "Condition",
     kinds: { value: "Value", flux: "Flux", insulated: "Insulated" },
