@@ -131,12 +131,10 @@ export async function faceOf(solution, { boundary, materials, plane }, longest, 
     }
     face.indices.push(first, first + 1, first + 2, first, first + 2, first + 3);
   }
-  if (plane) {
-    for (const point of lineOf(boundary, along, offset)) {
-      face.outline.push(face.positions.length / 3);
-      face.positions.push(...point);
-      face.labs.push(0, 0, 0);
-    }
+  for (const point of plane ? lineOf(boundary, along, offset) : endsOf(boundary)) {
+    face.outline.push(face.positions.length / 3);
+    face.positions.push(...point);
+    face.labs.push(0, 0, 0);
   }
   const section = { positions: Float32Array.from(face.positions), indices: Uint32Array.from(face.indices), outline: Uint32Array.from(face.outline) };
   return { plane: { normal, offset }, section: /** @type {any} */ (section), labs: Float32Array.from(face.labs) };
@@ -147,6 +145,9 @@ function axesOf(normal) {
   const right = unit(cross(Math.abs(normal[2]) < 0.9 ? [0, 0, 1] : [0, 1, 0], normal));
   return [right, cross(normal, right)];
 }
+
+/** The ends of the segments of a boundary in the plane. @param {LaplaceBoundary} boundary */
+const endsOf = (boundary) => Array.from({ length: boundary.elements.length }, (_, k) => cornerOf(boundary, Math.floor(k / 2), k % 2));
 
 /** The ends of the segments in which a plane cuts triangles. @param {LaplaceBoundary} boundary @param {Vector} normal @param {number} offset */
 function lineOf(boundary, normal, offset) {

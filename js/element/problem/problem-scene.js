@@ -16,12 +16,12 @@ import { fitted, STANDARD } from "../../space/camera.js";
 import { cornersOf } from "../../space/vector.js";
 import { createOrbit } from "../body/orbit.js";
 import { paint } from "../body/picture.js";
-import { bodySheetOf } from "../body/style.js";
 import { h } from "../dom.js";
 import { Incoming } from "../incoming.js";
 import { isWhole, Lane } from "../kernel.js";
 import { NO_MATCHING } from "../no-matching.js";
 import { faceOf, planeOf, shapeOf } from "./picture.js";
+import { problemSheetOf } from "./style.js";
 import { words } from "./words.js";
 
 /** Pixels of the solution along the longer side, of small problems and of large ones, and how many elements make one large. */
@@ -110,7 +110,7 @@ export class ProblemScene {
   }
 
   /** @param {Document} owner */
-  sheet = (owner) => bodySheetOf(owner);
+  sheet = (owner) => problemSheetOf(owner);
 
   get state() {
     return this.document;

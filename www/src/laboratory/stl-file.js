@@ -23,8 +23,9 @@ export async function openStl(bench, file, tell) {
   const text = words.model;
   try {
     if (file.size > MOST_BYTES) throw new Error(`it has ${Math.round(file.size / 2 ** 20)} MiB; expected at most 16`);
-    const { vertices, triangles } = await bench.app.kernel.readMesh(await file.arrayBuffer());
-    const model = { kind: "mesh", vertices, triangles };
+    const found = await bench.app.kernel.readMesh(await file.arrayBuffer());
+    const triangles = threes(found.triangles);
+    const model = { kind: "mesh", vertices: threes(found.vertices), triangles };
     // A boundary that the kernel cannot read at all is refused before it takes the place of the body.
     const { section: _section, ...document } = withModel(bench.now().document, model);
     const boundary = await bench.app.kernel.boundary(/** @type {any} */ (document));
@@ -39,6 +40,9 @@ export async function openStl(bench, file, tell) {
     bench.app.say(message);
   }
 }
+
+/** Numbers by three. @param {ArrayLike<number>} list @returns {number[][]} */
+export const threes = (list) => Array.from({ length: list.length / 3 }, (_, n) => [list[3 * n], list[3 * n + 1], list[3 * n + 2]]);
 
 /** Whether a file is meant to be an STL. @param {{name: string}} file */
 export const isStl = ({ name }) => /\.stl$/i.test(name);

@@ -52,6 +52,7 @@ export const words = {
       sliver: "Sliver width",
       segments: "Segments",
     }),
+    none: "none",
     import: "Import STL…",
     importNote: "A closed STL of your own, binary or text. It can be dropped on the picture as well.",
     imported: (/** @type {string} */ name, /** @type {number} */ count) => `${name}: ${count} triangles`,
