@@ -8,6 +8,8 @@ import { dimensionOf } from "./models.js";
 
 /** Most groups of a document, as in docs/format.md. */
 export const MOST_GROUPS = 64;
+/** Colours of materials that are added, told apart by colour-blind readers as well (Okabe and Ito). */
+const COLORS = ["#f0e442", "#009e73", "#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#cc79a7"];
 /** Coordinate beyond which no body of the page reaches. */
 const DEEP = 1e9;
 /** Degrees within which normals face alike, where a group does not say. */
@@ -156,4 +158,36 @@ export function chosenBy(where, by, { min, max }, dimension) {
   const { direction = [0, 1, 0].slice(0, dimension), angle = ANGLE, box = [min.slice(0, dimension), max.slice(0, dimension)] } = where;
   if (by === "positive") return { positive: where.positive ?? "1" };
   return { ...(by === "box" ? {} : { direction, angle }), ...(by === "direction" ? {} : { box }) };
+}
+
+/** @param {LaboratoryDocument} document @param {number} index @param {Partial<{name: string, color: string}>} patch @returns {LaboratoryDocument} */
+export function changeMaterial(document, index, patch) {
+  const material = document.materials[index];
+  const next = { ...material, ...patch };
+  if (JSON.stringify(next) === JSON.stringify(material)) return document;
+  return { ...document, materials: document.materials.map((other, k) => (k === index ? next : other)) };
+}
+
+/** One material more, of which no condition has any yet. @param {LaboratoryDocument} document @returns {LaboratoryDocument} */
+export function addMaterial(document) {
+  const { materials } = document;
+  const color = COLORS.find((each) => materials.every((other) => other.color.toLowerCase() !== each)) ?? COLORS[0];
+  return withConditions({ ...document, materials: [...materials, { name: `material ${materials.length + 1}`, color }] }, (list) => [...list, 0]);
+}
+
+/** Whether a condition gives something of a material. @param {LaboratoryDocument} document @param {number} index */
+export const isMaterialUsed = ({ groups, rest }, index) =>
+  [...groups.map(({ condition }) => condition), ...(rest ? [rest] : [])].some((condition) => listOf(condition)[index] !== 0);
+
+/** @param {LaboratoryDocument} document @param {number} index of one that is not used, of three or more @returns {LaboratoryDocument} */
+export function removeMaterial(document, index) {
+  if (document.materials.length <= 2 || isMaterialUsed(document, index)) return document;
+  return withConditions({ ...document, materials: document.materials.filter((_, k) => k !== index) }, (list) => list.filter((_, k) => k !== index));
+}
+
+/** @param {LaboratoryDocument} document @param {(list: (number | string)[]) => (number | string)[]} change of what a condition gives for each material */
+function withConditions(document, change) {
+  const changed = (/** @type {Condition} */ condition) => ("value" in condition ? { value: change(listOf(condition)) } : { flux: change(listOf(condition)) });
+  const groups = document.groups.map((group) => ({ ...group, condition: changed(group.condition) }));
+  return { ...document, groups, ...(document.rest ? { rest: changed(document.rest) } : {}) };
 }

@@ -28,6 +28,7 @@ import { elementLabs, hatchedOf } from "./element-colors.js";
 import { createFace } from "./face.js";
 import { displayGroup, modelGroup, sectionGroup, solverGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
+import { materialsGroup } from "./materials-group.js";
 import { rimOf } from "./mesh.js";
 import { createPicker } from "./picker.js";
 import { offer } from "./picture.js";
@@ -184,7 +185,7 @@ function openWorkbench(app) {
   aside.append(groupsAt);
   const acts = { look: (/** @type {any} */ direction) => view?.look(direction), back: () => view?.back ?? /** @type {import("../space/vector.js").Vector} */ ([0, -1, 0]), face: () => face.latest };
   const section = sectionGroup(bench, acts);
-  const groups = createGroups(groupsAt, words.region, [modelGroup(bench), boundaryGroup(bench), section, solverGroup(bench), displayGroup(bench, acts)], {
+  const groups = createGroups(groupsAt, words.region, [modelGroup(bench), boundaryGroup(bench), section, solverGroup(bench), materialsGroup(bench), displayGroup(bench, acts)], {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };

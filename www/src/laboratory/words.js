@@ -151,7 +151,14 @@ export const words = {
     solved: "The composition that was found on each element.",
   },
 
-  materials: { heading: "Materials", phrase: (/** @type {number} */ count) => `${count} materials`, color: (/** @type {string} */ name) => `Colour of ${name}`, name: (/** @type {number} */ n) => `Name of material ${n + 1}` },
+  materials: {
+    heading: "Materials",
+    add: "Add material",
+    remove: "Delete material",
+    used: "A condition holds some of it",
+    fewest: "A composition has two materials at least",
+    note: "All share one matrix: each material but the last is solved for, and the last follows from the others.",
+  },
 
   show: {
     views: { iso: "Corner", front: "Front", side: "Side", top: "Top" },
