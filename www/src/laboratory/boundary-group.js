@@ -95,7 +95,7 @@ export function boundaryGroup(bench) {
 const lengthOf = (value, unit, power) => (power === 2 ? measure(value, unit, 2) : `${fixed(value, 2)}\u00a0${unit}`.trim());
 
 /** What a condition looks like. @param {Condition} condition @param {readonly {color: string}[]} materials */
-export function swatchOf(condition, materials) {
+function swatchOf(condition, materials) {
   const kind = kindOf(condition);
   const swatch = h("span", { class: `part-swatch lab-swatch ${kind}`, "aria-hidden": "true" });
   const values = listOf(condition);

@@ -117,7 +117,7 @@ function frameOf({ mesh }, section) {
 }
 
 /** @param {Bounds} bounds of a boundary in the plane @returns {FaceFrame} */
-export const boxFrame = ({ min, max }) => ({ origin: [min[0], min[1], 0], sides: [[max[0] - min[0], 0, 0], [0, max[1] - min[1], 0]] });
+const boxFrame = ({ min, max }) => ({ origin: [min[0], min[1], 0], sides: [[max[0] - min[0], 0, 0], [0, max[1] - min[1], 0]] });
 
 /** Pixels along the longer side at rest, for so many elements. @param {number} count */
-export const finest = (count) => Math.round(Math.min(FINE.most, Math.max(FINE.least, Math.sqrt(WORK / Math.max(1, count)))));
+const finest = (count) => Math.round(Math.min(FINE.most, Math.max(FINE.least, Math.sqrt(WORK / Math.max(1, count)))));

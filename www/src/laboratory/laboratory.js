@@ -24,15 +24,13 @@ import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
 import { boundaryGroup } from "./boundary-group.js";
 import { isSameSolution, laboratoryOf } from "./document.js";
-import { elementLabs, hatchedOf } from "./element-colors.js";
 import { createFace } from "./face.js";
 import { displayGroup, modelGroup, sectionGroup, solverGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
 import { materialsGroup } from "./materials-group.js";
-import { rimOf } from "./mesh.js";
+import { createPainting } from "./painting.js";
 import { createPicker } from "./picker.js";
 import { offer } from "./picture.js";
-import { colorsOf, grown, levelLines, LEVELS } from "./pixels.js";
 import { createPlaneStage } from "./plane-stage.js";
 import { createReader } from "./reader.js";
 import { createRunner } from "./runner.js";
@@ -53,8 +51,6 @@ const TOP = 56;
 const REST = 250;
 /** A step of the plane by keys, as a share of its way. */
 const STEP = 0.01;
-/** How often pixels of a face are grown beyond its edge. */
-const GROWN = 2;
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["model", "boundary", "section", "display"], tab: "model" };
@@ -113,7 +109,7 @@ function openWorkbench(app) {
 
   const reader = createReader(bench);
   const face = createFace(bench, () => {
-    paintFace();
+    painting.face();
     request();
   });
   const picker = createPicker(bench);
@@ -142,6 +138,7 @@ function openWorkbench(app) {
       },
     }),
   );
+  const painting = createPainting(bench, view, () => face.latest);
   const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, signal: over.signal });
   offer({
     get size() {
@@ -200,7 +197,7 @@ function openWorkbench(app) {
       reason = null;
       if (isOther) reader.again();
       document.documentElement.dataset.ready = "true";
-      paintBody();
+      painting.boundary();
       tell();
       request();
     },
@@ -286,49 +283,6 @@ function openWorkbench(app) {
   // Before the page writes down what a reload brings back.
   for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
 
-  /** What the boundary was painted with last. */
-  let painted = /** @type {unknown[]} */ ([]);
-
-  /** The boundary in its colours, and what is marked of it. */
-  function paintBody() {
-    const { document } = bench.now();
-    if (!known?.mesh.soup || !view) return;
-    const solution = shown.color === "solved" ? known.solution : null;
-    const { boundary, mesh } = known;
-    view.set({ mesh, plane: document.section ? planeOf(document.section) : null, shown, theme: ui.value.theme });
-    const key = [boundary, solution, shown.color, document.materials];
-    if (key.some((each, k) => each !== painted[k])) {
-      painted = key;
-      view.scene.paint(elementLabs(boundary, document.materials, solution), hatchedOf(boundary, shown.color === "given" || !solution));
-      marked = [];
-    }
-    const marks = [boundary, shown.group];
-    if (marks.some((each, k) => each !== marked[k])) {
-      marked = marks;
-      view.scene.mark(
-        shown.group === null ? [] : rimOf(mesh.joints, (element) => boundary.members[element] === shown.group),
-        boundary.diagnostics.some(({ code }) => code === "missing" || code === "conflict") ? rimOf(mesh.joints, (element) => boundary.groups[element] >= boundary.conditions.length) : [],
-      );
-    }
-  }
-  let marked = /** @type {unknown[]} */ ([]);
-
-  /** What the face was painted with last. */
-  let faced = /** @type {unknown[]} */ ([]);
-
-  /** The picture on the plane of a section. */
-  function paintFace() {
-    const { document } = bench.now();
-    const found = face.latest;
-    if (!view || (found && !found.of.mesh.soup)) return;
-    const key = [found?.values, document.materials, shown.isolines];
-    if (key.every((each, k) => each === faced[k])) return;
-    faced = key;
-    view.scene.face(found && { pixels: grown(colorsOf(found, document.materials), found.size, GROWN), size: found.size, frame: found.frame });
-    view.scene.isolines(found && shown.isolines !== null ? linesIn(found, shown.isolines) : []);
-    view.request();
-  }
-
   /** Speaks of a problem once an edit is over and it is solved. */
   function tell() {
     const text = summaryOf(bench);
@@ -404,11 +358,11 @@ function openWorkbench(app) {
     look.set(shown.look);
     stage.dataset.look = shown.look;
     stage.dataset.picking = shown.picking ?? "";
-    paintBody();
+    painting.boundary();
     fit();
     if (isSpace) resize();
     face.request(bench.now().isCurrent || (known?.solution && store.running) ? known : known?.solution ? known : null, document.section ?? null);
-    paintFace();
+    painting.face();
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summaryOf(bench)));
       const way = extent();
@@ -500,18 +454,4 @@ function openWorkbench(app) {
       delete status.dataset.verdict;
     },
   };
-}
-
-/** Lines of equal fraction on the plane of a section, six numbers a segment. @param {import("./face.js").Face} face @param {number} material */
-function linesIn({ frame: { origin, sides }, size, values }, material) {
-  /** @type {number[]} */
-  const found = [];
-  for (const level of LEVELS) {
-    const flat = levelLines(values[material], size, level);
-    for (let k = 0; k < flat.length; k += 2) {
-      const [i, j] = [(flat[k] + 0.5) / size[0], (flat[k + 1] + 0.5) / size[1]];
-      found.push(...[0, 1, 2].map((axis) => origin[axis] + i * sides[0][axis] + j * sides[1][axis]));
-    }
-  }
-  return found;
 }

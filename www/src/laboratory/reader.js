@@ -159,7 +159,7 @@ function content(bench, reading) {
 }
 
 /** A reading in words. @param {Bench} bench @param {Reading | null} reading */
-export function spokenReading(bench, reading) {
+function spokenReading(bench, reading) {
   if (!reading) return words.spoken.nothing;
   const { document, known } = bench.now();
   const { point, element, fractions } = reading;

@@ -113,7 +113,7 @@ export function createRunner(app, { changed, refused, interrupted }) {
 }
 
 /** @param {Boundary} boundary @returns {Mesh} */
-export function meshOf(boundary) {
+function meshOf(boundary) {
   return {
     count: countOf(boundary),
     bounds: boundsOf(boundary),

@@ -39,7 +39,7 @@ export function planeOf({ origin, normal }) {
 }
 
 /** The direction along which the place of the plane counts: the axis it stands across, or its own normal. @param {Section} section @returns {Vector} */
-export function wayOf(section) {
+function wayOf(section) {
   const across = acrossOf(section);
   return across === "off" || across === "own" ? unit(section.normal) : AXES[across];
 }

@@ -64,9 +64,6 @@
 /** @type {Readonly<Shown>} */
 export const FIRST_SHOWN = { look: "solution", color: "given", edges: true, light: true, isolines: null, group: null, picking: null };
 
-
-
-
 /** What is chosen and shown, without what the document does not have any more. @param {Shown} shown @param {LaboratoryDocument} document */
 export function withoutGone(shown, { groups, materials }) {
   const group = shown.group !== null && groups[shown.group] ? shown.group : null;

@@ -20,10 +20,10 @@ const SPREAD = 1e-6;
 export const faultsOf = ({ boundary }) => boundary.diagnostics.filter(({ remark }) => !remark);
 
 /** A fault in a few words. @param {ReturnType<typeof faultsOf>[number]} fault */
-export const faultText = ({ code, count, message }) => (words.faults[code] && count ? words.faults[code](count) : message);
+const faultText = ({ code, count, message }) => (words.faults[code] && count ? words.faults[code](count) : message);
 
 /** The last entry of the largest list of residuals. @param {readonly ArrayLike<number>[]} residuals */
-export const lastOf = (residuals) => Math.max(0, ...residuals.map((list) => list[list.length - 1] ?? 0));
+const lastOf = (residuals) => Math.max(0, ...residuals.map((list) => list[list.length - 1] ?? 0));
 
 /**
  * @param {Bench} bench

@@ -42,7 +42,7 @@ export async function openStl(bench, file, tell) {
 }
 
 /** Numbers by three. @param {ArrayLike<number>} list @returns {number[][]} */
-export const threes = (list) => Array.from({ length: list.length / 3 }, (_, n) => [list[3 * n], list[3 * n + 1], list[3 * n + 2]]);
+const threes = (list) => Array.from({ length: list.length / 3 }, (_, n) => [list[3 * n], list[3 * n + 1], list[3 * n + 2]]);
 
 /** Whether a file is meant to be an STL. @param {{name: string}} file */
 export const isStl = ({ name }) => /\.stl$/i.test(name);

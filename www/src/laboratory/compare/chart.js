@@ -172,7 +172,7 @@ function widened(low, high) {
  * @param {number} high
  * @param {boolean} isDense
  */
-export function ticksOf(low, high, isDense) {
+function ticksOf(low, high, isDense) {
   const [from, to] = [Math.floor(Math.log10(low) + 1e-9), Math.ceil(Math.log10(high) - 1e-9)];
   const step = isDense ? 1 : Math.max(1, Math.ceil((to - from) / MOST_TICKS));
   const found = [];
