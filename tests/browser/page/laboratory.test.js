@@ -148,7 +148,7 @@ onOnePage(
       await page.locator("[data-lab-plane-keys]").focus();
       // The first press shows the crosshair in the middle, which is the hole of the ring.
       await page.keyboard.press("ArrowUp");
-      await eventually(async () => assert.match(await spoken(page), /^x 0\.00, y 0\.00$/));
+      await eventually(async () => assert.match(await spoken(page), /^x \S?0\.0\d, y \S?0\.0\d$/));
       await page.keyboard.press("Shift+ArrowUp");
       for (let k = 0; k < 5; k += 1) await page.keyboard.press("ArrowUp");
       await eventually(async () => assert.match(await spoken(page), /^x \S+, y 0\.\d\d, .*%/));
