@@ -94,7 +94,7 @@ test("a mesh from a file is a model, and an open one says where", () => {
   five.model.triangles[0] = [3, 0, 1];
   const [fault] = dx.boundary(five).diagnostics;
   assert.ok(["open", "meeting"].includes(fault.code) && fault.element !== undefined && fault.place?.length === 3, fault.code);
-  refused(() => dx.readMesh(whole.slice(0, 200)), "syntax", "line 9");
+  refused(() => dx.readMesh(whole.slice(0, 200)), "syntax", "line 17");
   refused(() => dx.readMesh(new Uint8Array(100)), "syntax", "");
   refused(() => dx.readMesh(/** @type {any} */ ("solid")), "type", "bytes");
 });
