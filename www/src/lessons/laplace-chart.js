@@ -11,8 +11,8 @@ import { words } from "./words-laplace.js";
 /** Units of the view: the chart, room for figures on the left and below. */
 const WIDTH = 560;
 const HEIGHT = 150;
-const LEFT = 40;
-const BELOW = 30;
+const LEFT = 66;
+const BELOW = 40;
 const ABOVE = 10;
 const RIGHT = 10;
 /** CSS pixels of the picture of a matrix. */
@@ -32,7 +32,7 @@ function framed(name, axis, parts) {
     { class: "laplace-chart", viewBox: `0 0 ${WIDTH} ${ABOVE + HEIGHT + BELOW}`, role: "img", "aria-label": name },
     ...parts,
     svg("path", { class: "chart-axis", d: `M${at(0, 1)}L${at(0, 0)}L${at(1, 0)}` }),
-    label(axis, across(0.5), up(0) + 28, "middle"),
+    label(axis, across(0.5), up(0) + 36, "middle"),
   );
   return h("div", { class: "laplace-scroll" }, /** @type {any} */ (picture));
 }
@@ -44,7 +44,7 @@ function powers(low, high) {
   const exponents = Array.from({ length: high - low + 1 }, (_, n) => low + n);
   return exponents.flatMap((exponent) => [
     svg("path", { class: "laplace-rule", d: `M${at(0, share(exponent))}L${at(1, share(exponent))}` }),
-    ...((exponent - low) % every === 0 ? [label(exponent === 0 ? "1" : `1e${String(exponent).replace("-", "−")}`, LEFT - 6, up(share(exponent)) + 4, "end")] : []),
+    ...((exponent - low) % every === 0 ? [label(exponent === 0 ? "1" : `1e${String(exponent).replace("-", "−")}`, LEFT - 8, up(share(exponent)) + 4, "end")] : []),
   ]);
 }
 
@@ -61,9 +61,9 @@ export function rowChart({ matrix, count }, row) {
   const every = Math.ceil(count / 16);
   return framed(words.influence.picture(row + 1), words.influence.axis, [
     ...own.map(bar),
-    ...own.flatMap((_, n) => (n % every === 0 ? [label(String(n + 1), across((n + 0.5) / count), up(0) + 14, "middle")] : [])),
-    label(significantText(high), LEFT - 6, up(1) + 8, "end"),
-    label(significantText(low), LEFT - 6, up(0) + 4, "end"),
+    ...own.flatMap((_, n) => (n % every === 0 ? [label(String(n + 1), across((n + 0.5) / count), up(0) + 17, "middle")] : [])),
+    label(significantText(high), LEFT - 8, up(1) + 8, "end"),
+    label(significantText(low), LEFT - 8, up(0) + 4, "end"),
   ]);
 }
 
@@ -82,7 +82,7 @@ export function matrixPicture({ matrix, count }, row, color) {
     const largest = matrix.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
     context.fillStyle = color;
     matrix.forEach((x, n) => {
-      context.globalAlpha = 0.03 + 0.97 * Math.sqrt(Math.abs(x) / largest);
+      context.globalAlpha = 0.02 + (0.98 * Math.abs(x)) / largest;
       context.fillRect((n % count) * cell, Math.floor(n / count) * cell, cell, cell);
     });
     context.globalAlpha = 1;
@@ -109,7 +109,7 @@ export function errorChart(rows, now) {
     svg("path", { class: "laplace-line jacobi", d: `M${points.join("L")}` }),
     svg("path", { class: "laplace-dots", d: points.map((point) => `M${point}h.01`).join("") }),
     svg("path", { class: "laplace-dots chosen", d: rows.flatMap(({ panels }, n) => (panels === now ? [`M${points[n]}h.01`] : [])).join("") }),
-    ...rows.map(({ panels }) => label(String(panels), across(x(panels)), up(0) + 14, "middle")),
+    ...rows.map(({ panels }) => label(String(panels), across(x(panels)), up(0) + 17, "middle")),
   ]);
 }
 
@@ -129,6 +129,6 @@ export function residualChart(rows, tolerance) {
   return framed(words.residuals.picture, words.residuals.axis, [
     ...powers(low, 0),
     ...rows.map(line),
-    ...ticks.map((tick) => label(String(tick), across(tick / most), up(0) + 14, "middle")),
+    ...ticks.map((tick) => label(String(tick), across(tick / most), up(0) + 17, "middle")),
   ]);
 }

@@ -37,11 +37,11 @@ import "../../styles/lesson-laplace.css";
 import { fitting, toPlane, toScreen } from "../../../js/element/plane.js";
 import { slider } from "../controls/slider.js";
 import { attribute, h, svg, write } from "../dom.js";
-import { fixed, significantText } from "../format.js";
+import { fixed } from "../format.js";
 import { colorsOf, grown, LEVELS, levelLines } from "../laboratory/pixels.js";
 import { Lane } from "../state/lane.js";
-import { errorChart, matrixPicture, residualChart, rowChart } from "./laplace-chart.js";
-import { circleOf, farthest, FOLLOWED, frameOf, inputOf, matrixOf, panelsOf, probes, stepsOf, summed, withSteps } from "./laplace-known.js";
+import { circleOf, farthest, FOLLOWED, frameOf, inputOf, matrixOf, panelsOf, probes, stepsOf, withSteps } from "./laplace-known.js";
+import { readingOf } from "./laplace-reading.js";
 import { words } from "./words-laplace.js";
 
 /** Room round the body, CSS pixels. */
@@ -177,8 +177,7 @@ export function createLaplaceFigure(app, host, figure) {
 
   /** How far the solution is from the exact one, by steps along a side. @param {LaplaceDocument} given @param {{signal: AbortSignal}} control */
   async function measure(given, control) {
-    const dimension = figure.document.includes("cube") ? 3 : 2;
-    const points = probes(dimension);
+    const points = probes((await kernel.boundary(given, control)).dimension);
     const exact = await kernel.exact(given, points, control);
     const own = stepsOf(given);
     const rows = [];
@@ -301,7 +300,7 @@ export function createLaplaceFigure(app, host, figure) {
     attribute(circle, "d", ring);
     attribute(circleUnder, "d", ring);
     drawStatus(now);
-    reading.replaceChildren(...readingOf(now));
+    reading.replaceChildren(...readingOf(figure, now, panel, getComputedStyle(host.element).getPropertyValue("--accent")));
     name(own, seen, view);
   }
 
@@ -337,64 +336,6 @@ export function createLaplaceFigure(app, host, figure) {
     if (!found) status.replaceChildren(h("span", { "data-lesson": "panels" }, solved.boundary.dimension === 2 ? words.panels(count) : words.triangles(count)));
     else if (found.some(Number.isNaN)) status.replaceChildren(h("span", {}, words.outside));
     else status.replaceChildren(...(solved.document.materials ?? []).map(({ name }, k) => item(name, fixed(found[k], 3), `mix-${k}`)));
-  }
-
-  /** What stands below the picture. @param {Known} now @returns {HTMLElement[]} */
-  function readingOf(now) {
-    const { solved, found, around } = now;
-    const materials = solved.document.materials ?? [];
-    const item = (/** @type {string} */ name, /** @type {string} */ own, /** @type {string} */ value) => [h("dt", {}, name), h("dd", { class: "number", "data-lesson": own }, value)];
-    const { matrix } = solved;
-    if (figure.reading === "mean" && found) {
-      if (!around) return [h("p", { class: "cell-label" }, words.mean.beyond)];
-      const { mean, least, greatest } = summed(around, materials.length, 0);
-      return [
-        h("p", { class: "cell-label" }, words.mean.of(materials[0].name)),
-        h("dl", {}, ...item(words.mean.at, "own", fixed(found[0], 4)), ...item(words.mean.around, "mean", fixed(mean, 4)), ...item(words.mean.least, "least", fixed(least, 4)), ...item(words.mean.greatest, "greatest", fixed(greatest, 4))),
-      ];
-    }
-    if (figure.reading === "extremes") return [extremesTable(solved)];
-    if (figure.reading === "fractions" && found && !found.some(Number.isNaN)) {
-      const rows = materials.flatMap(({ name }, k) => item(name, `share-${k}`, fixed(found[k], 4)));
-      return [h("dl", {}, ...rows, ...item(words.fractions.sum, "sum", fixed(found.reduce((sum, each) => sum + each, 0), 4)))];
-    }
-    if (figure.reading === "influence" && matrix) {
-      const own = matrix.matrix.subarray(panel * matrix.count, (panel + 1) * matrix.count);
-      const at = (/** @type {number} */ n) => significantText(own[(panel + n) % matrix.count]);
-      const far = Math.floor(matrix.count / 2);
-      return [rowChart(matrix, panel), h("dl", {}, ...item(words.influence.own, "own", at(0)), ...item(words.influence.next, "next", at(1)), ...item(words.influence.far, "far", at(far)))];
-    }
-    if (figure.reading === "matrix" && matrix) {
-      const sizes = Array.from(matrix.matrix, Math.abs);
-      const color = getComputedStyle(host.element).getPropertyValue("--accent");
-      return [
-        matrixPicture(matrix, panel, color),
-        h(
-          "dl",
-          {},
-          ...item(words.matrix.size, "size", String(sizes.length)),
-          ...item(words.matrix.largest, "largest", significantText(Math.max(...sizes))),
-          ...item(words.matrix.least, "least", significantText(Math.min(...sizes))),
-          ...item(words.matrix.zeros, "zeros", String(sizes.filter((size) => size === 0).length)),
-        ),
-      ];
-    }
-    if (figure.reading === "error" && solved.errors.length > 1) {
-      const count = solved.boundary.groups.length;
-      const own = solved.errors.find(({ panels }) => panels === count);
-      const [from, to] = [solved.errors[1], solved.errors[solved.errors.length - 1]];
-      const power = Math.log(to.error / from.error) / Math.log(to.panels / from.panels);
-      return [
-        errorChart(solved.errors, count),
-        h("dl", {}, ...item(words.error.panels, "count", String(count)), ...item(words.error.largest, "error", significantText(own?.error ?? NaN)), ...item(words.error.falls, "power", fixed(power, 1))),
-      ];
-    }
-    if (isCompared && now.runs.length > 0) {
-      const { condition } = solved;
-      const own = condition === null ? [] : [h("dl", {}, ...item(words.residuals.condition, "condition", significantText(condition)))];
-      return [residualChart(now.runs, FOLLOWED.tolerance), runTable(now.runs, now.job.omega), ...own];
-    }
-    return [];
   }
 
   /** What the terms of the text mean. @param {ReturnType<typeof panelsOf>} own @param {(at: readonly number[]) => Point} seen @param {View} view */
@@ -468,36 +409,3 @@ const written = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
 /** @param {Point} center @param {number} radius */
 const round = ([x, y], radius) => `M${x - radius} ${y}a${radius} ${radius} 0 1 0 ${2 * radius} 0a${radius} ${radius} 0 1 0 ${-2 * radius} 0Z`;
-
-/** Least and greatest of every material: on the boundary as given, and inside as found. @param {Solved} solved */
-function extremesTable({ document, boundary, section }) {
-  const materials = document.materials ?? [];
-  const cell = (/** @type {number} */ value, /** @type {string} */ own) => h("td", { class: "number", "data-lesson": own }, fixed(value, 3));
-  const rows = materials.flatMap(({ name }, k) => {
-    const given = boundary.conditions.flatMap((condition) => ("value" in condition ? [condition.value[k]] : []));
-    const inside = section.values[k].filter((value) => !Number.isNaN(value));
-    const [low, high] = inside.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
-    return [
-      h("tr", {}, h("th", { scope: "row" }, `${name}, ${words.extremes.boundary}`), cell(Math.min(...given), `given-least-${k}`), cell(Math.max(...given), `given-greatest-${k}`)),
-      h("tr", {}, h("th", { scope: "row" }, `${name}, ${words.extremes.inside(fixed(inside.length, 0))}`), cell(low, `least-${k}`), cell(high, `greatest-${k}`)),
-    ];
-  });
-  const heads = [words.extremes.where, words.extremes.least, words.extremes.greatest].map((text) => h("th", { scope: "col" }, text));
-  return h("table", {}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows));
-}
-
-/** @param {readonly Run[]} runs @param {number} omega */
-function runTable(runs, omega) {
-  const titles = { none: words.residuals.none, jacobi: words.residuals.jacobi, ssor: words.residuals.ssor(fixed(omega, 1)) };
-  const row = (/** @type {Run} */ { name, residuals, iterations, converged, time }) =>
-    h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, h("span", { class: `laplace-key ${name}`, "aria-hidden": "true" }), titles[name]),
-      h("td", { class: "number", "data-lesson": `iterations-${name}` }, converged ? String(iterations) : words.residuals.more(iterations)),
-      h("td", { class: "number", "data-lesson": `residual-${name}` }, significantText(residuals[residuals.length - 1])),
-      h("td", { class: "number", "data-lesson": `time-${name}` }, words.residuals.ms(fixed(time, 0))),
-    );
-  const heads = [words.residuals.method, words.residuals.iterations, words.residuals.residual, words.residuals.time].map((text) => h("th", { scope: "col" }, text));
-  return h("table", {}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...runs.map(row)));
-}

@@ -29,7 +29,7 @@ export const words = {
     far: "The farthest one",
   },
   matrix: {
-    picture: (/** @type {number} */ count) => `The matrix, ${count} by ${count}, darker for larger numbers`,
+    picture: (/** @type {number} */ count) => `The matrix, ${count} by ${count}, stronger in colour for larger numbers`,
     size: "Numbers",
     largest: "Largest",
     least: "Smallest",
@@ -39,7 +39,7 @@ export const words = {
     picture: "Largest error by number of panels, both in powers of ten",
     panels: "Panels",
     largest: "Largest error",
-    falls: "Error falls as panels to the power",
+    falls: (/** @type {number} */ from, /** @type {number} */ to) => `From ${from} to ${to} panels it falls as their number to the power`,
     axis: "panels",
   },
   residuals: {
