@@ -12,7 +12,7 @@ pub(super) const SLOTS: usize = 32;
 pub(super) const NOBODY: u32 = u32::MAX;
 
 /// Diameters of a panel from its centre within which its integrals are exact. Clusters that come so near by the largest of their panels are looked at panel
-/// by panel, so that it does not depend on the clusters how a panel is taken.
+/// by panel, so that it does not depend on the clusters whose integrals are exact.
 const EXACT: f64 = 2.5;
 /// Diameters beyond which one place stands for a panel.
 const FAR: f64 = 8.0;
@@ -24,19 +24,12 @@ pub(super) struct Cluster {
     pub(super) slots: Range<usize>,
     pub(super) centre: DVec3,
     /// All of them are within this distance of the centre.
-    radius: f64,
+    pub(super) radius: f64,
     /// Of the largest panel.
-    diameter: f64,
+    pub(super) diameter: f64,
 }
 
-impl Cluster {
-    /// Whether all of it is farther from a point than this.
-    pub(super) fn is_beyond(&self, x: DVec3, distance: f64) -> bool {
-        x.distance(self.centre) - self.radius > distance
-    }
-}
-
-/// How the panels of a cluster are taken at a point.
+/// How panels are taken at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reach {
     /// One by one.
@@ -45,6 +38,18 @@ pub(super) enum Reach {
     Medium,
     /// By one place each.
     Far,
+}
+
+/// How panels up to this diameter are taken at this distance.
+#[inline(always)]
+pub(super) fn reach(diameter: f64, distance: f64) -> Reach {
+    if distance <= EXACT * diameter {
+        Reach::Near
+    } else if distance <= FAR * diameter {
+        Reach::Medium
+    } else {
+        Reach::Far
+    }
 }
 
 /// Panels with their clusters.
@@ -113,14 +118,7 @@ impl Panels {
     /// How the panels of a cluster are taken at a point.
     #[inline(always)]
     pub(super) fn reach(cluster: &Cluster, x: DVec3) -> Reach {
-        let distance = x.distance(cluster.centre) - cluster.radius;
-        if distance <= EXACT * cluster.diameter {
-            Reach::Near
-        } else if distance <= FAR * cluster.diameter {
-            Reach::Medium
-        } else {
-            Reach::Far
-        }
+        reach(cluster.diameter, x.distance(cluster.centre) - cluster.radius)
     }
 
     /// The layers of the panels of a cluster at a point, and how they were taken.

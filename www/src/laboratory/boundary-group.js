@@ -17,7 +17,7 @@ import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { mixed } from "../oklab.js";
 import { measure } from "../space/measure.js";
-import { addGroup, ANGLE, byOf, chosenBy, conditionOf, isFormula, kindOf, listOf, MOST_GROUPS, removeGroup, withFlux, withGroup, withRest } from "./edits.js";
+import { addGroup, ANGLE, byOf, chosenBy, conditionOf, isFormula, kindOf, listOf, MOST_GROUPS, removeGroup, turnedOver, withFlux, withGroup, withRest } from "./edits.js";
 import { formulaField } from "./formula-field.js";
 import { words } from "./words.js";
 
@@ -34,6 +34,7 @@ export function boundaryGroup(bench) {
   const details = createDetails(bench);
   const rest = createRest(bench);
   let drawn = "";
+  let told = "";
 
   function addOne() {
     const { groups } = bench.now().document;
@@ -78,7 +79,12 @@ export function boundaryGroup(bench) {
       for (const [index, button] of [...list.children].entries()) attribute(button, "aria-pressed", String(shown.group === index));
       add.disabled = document.groups.length >= MOST_GROUPS;
       const diagnostics = known && isCurrent ? known.boundary.diagnostics : [];
-      faults.replaceChildren(...diagnostics.map((each, nth) => h("p", { class: each.remark ? "lab-fault remark" : "lab-fault", "data-lab-fault": each.code, "data-nth": String(nth) }, each.message)));
+      const faultKey = JSON.stringify([diagnostics, document.model.kind]);
+      if (faultKey !== told) {
+        told = faultKey;
+        const turn = document.model.kind === "mesh" && diagnostics.some(({ code }) => code === "inverted") ? [h("div", { class: "lab-acts" }, h("button", { type: "button", class: "push", "data-lab-turn": "", onclick: () => bench.commit(turnedOver) }, text.turn))] : [];
+        faults.replaceChildren(...diagnostics.map((each, nth) => h("p", { class: each.remark ? "lab-fault remark" : "lab-fault", "data-lab-fault": each.code, "data-nth": String(nth) }, each.message)), ...turn);
+      }
       details.render();
       rest.render();
     },

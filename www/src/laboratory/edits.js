@@ -23,6 +23,13 @@ export function withModel(document, model) {
   return { ...others, model, groups: document.groups.map((group) => ({ ...group, where: fitting(group.where, dimension) })) };
 }
 
+/** A body of triangles with each of them turned over. @param {LaboratoryDocument} document @returns {LaboratoryDocument} */
+export function turnedOver(document) {
+  const { model } = document;
+  if (model.kind !== "mesh") return document;
+  return { ...document, model: { ...model, triangles: model.triangles.map((/** @type {number[]} */ [a, b, c]) => [a, c, b]) } };
+}
+
 /**
  * The same elements where the height of the plane is that of space, and the other way round.
  * @param {Where} where

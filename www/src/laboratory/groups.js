@@ -18,7 +18,7 @@ import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { fact } from "../space/card.js";
-import { measure } from "../space/measure.js";
+import { measure, numberText } from "../space/measure.js";
 import { AXES } from "../space/section.js";
 import { viewButtons } from "../space/stand.js";
 import { middleOf, scaled } from "../space/vector.js";
@@ -53,9 +53,19 @@ export function modelGroup(bench) {
     file.value = "";
   });
   const button = h("button", { type: "button", class: "push", "data-lab-import": "", onclick: () => file.click() }, text.import);
-  /** @type {{[field: string]: ReturnType<typeof numberField>}} */
+  /** @type {{[field: string]: {element: HTMLElement, error?: HTMLElement, set: (value: number) => void}}} */
   let made = {};
   let madeFor = "";
+
+  /** @param {import("./models.js").Field} field @param {number} value as it stands */
+  function control({ name, min, max, step, whole, choices }, value) {
+    const label = text.fields[name];
+    const change = (/** @type {number} */ next, /** @type {string} */ run) => bench.commit((now) => withModel(now, { ...now.model, [name]: next }), run);
+    if (!choices) return numberField({ label, name: `lab-${name}`, min, max, step, decimals: whole ? 0 : 2, whole }, { change: /** @type {any} */ (change), end: bench.endRun, cancel: bench.takeBack });
+    const all = choices.includes(value) ? choices : [...choices, value].sort((a, b) => b - a);
+    const chosen = select({ label, name: `lab-${name}`, choices: all.map((each) => ({ value: String(each), text: each === 0 ? text.none : numberText(each) })) }, (next) => bench.commit((now) => withModel(now, { ...now.model, [name]: Number(next) })));
+    return { element: chosen.element, set: (/** @type {number} */ next) => chosen.set(String(next)) };
+  }
 
   /** @param {string | null} message why a file was refused */
   function tell(message) {
@@ -77,21 +87,15 @@ export function modelGroup(bench) {
       const { model } = document;
       kinds.set(model.kind);
       for (const option of kinds.element.querySelectorAll("option")) option.hidden = option.value === "mesh" && model.kind !== "mesh";
-      if (madeFor !== model.kind) {
-        madeFor = model.kind;
-        const all = isNamed(model) ? MODELS[model.kind].fields : [];
-        made = Object.fromEntries(
-          all.map((field) => [
-            field.name,
-            numberField(
-              { label: text.fields[field.name], name: `lab-${field.name}`, min: field.min, max: field.max, step: field.step, decimals: field.whole ? 0 : 2, whole: field.whole },
-              { change: (value, run) => bench.commit((now) => withModel(now, { ...now.model, [field.name]: value }), run), end: bench.endRun, cancel: bench.takeBack },
-            ),
-          ]),
-        );
+      const all = isNamed(model) ? MODELS[model.kind].fields : [];
+      // Among powers of ten stands the one of the document as well.
+      const key = JSON.stringify([model.kind, ...all.flatMap((field) => (field.choices ? [valueOf(model, field)] : []))]);
+      if (madeFor !== key) {
+        madeFor = key;
+        made = Object.fromEntries(all.map((field) => [field.name, control(field, valueOf(model, field))]));
         fields.replaceChildren(...all.map(({ name }) => row(text.fields[name], made[name])));
       }
-      if (isNamed(model)) for (const field of MODELS[model.kind].fields) made[field.name].set(valueOf(model, field));
+      for (const field of all) made[field.name].set(valueOf(model, field));
       facts.classList.toggle("stale", !isCurrent);
       if (!known) return;
       const { count } = known.mesh;

@@ -10,6 +10,7 @@
  * @property {number} first what it is where a document does not say
  * @property {boolean} whole
  * @property {number} step
+ * @property {number[]} [choices] where it is chosen among powers of ten
  *
  * @typedef {object} ModelKind
  * @property {2 | 3} dimension
@@ -22,6 +23,9 @@ const count = (name, min, max, first) => ({ name, min, max, first, whole: true, 
 /** @param {string} name @param {number} min @param {number} max @param {number} first @param {number} step @returns {Field} */
 const number = (name, min, max, first, step) => ({ name, min, max, first, whole: false, step });
 
+/** @param {string} name @param {number[]} choices from the greatest to the least @param {number} first @returns {Field} */
+const power = (name, choices, first) => ({ name, min: choices[choices.length - 1], max: choices[0], first, whole: false, step: 0, choices });
+
 /** Greatest radius of the format. */
 const FAR = 1e9;
 
@@ -30,7 +34,7 @@ export const MODELS = {
   cube: { dimension: 3, fields: [count("divisions", 1, 51, 8)], sizes: { field: "divisions", values: [2, 4, 6, 8, 10, 12] } },
   "sliver-cube": {
     dimension: 3,
-    fields: [count("divisions", 2, 50, 8), number("width", 1e-8, 0.25, 1e-6, 1e-6)],
+    fields: [count("divisions", 2, 50, 8), power("width", [0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8], 1e-6)],
     sizes: { field: "divisions", values: [2, 4, 6, 8, 10] },
   },
   "hollow-box": { dimension: 3, fields: [count("divisions", 1, 36, 6), number("wall", 1e-3, 0.45, 0.05, 0.01)], sizes: { field: "divisions", values: [2, 3, 4, 6, 8] } },
@@ -40,7 +44,7 @@ export const MODELS = {
     sizes: { field: "level", values: [0, 1, 2, 3] },
   },
   sphere: { dimension: 3, fields: [number("radius", 1e-6, FAR, 1, 0.05), count("level", 0, 5, 3)], sizes: { field: "level", values: [0, 1, 2, 3] } },
-  mug: { dimension: 3, fields: [count("sectors", 6, 120, 20), number("sliver", 0, 0.01, 0, 0.001)], sizes: { field: "sectors", values: [8, 12, 16, 20, 26] } },
+  mug: { dimension: 3, fields: [count("sectors", 6, 120, 20), power("sliver", [0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 0], 0)], sizes: { field: "sectors", values: [8, 12, 16, 20, 26] } },
   cylinder: { dimension: 3, fields: [count("divisions", 2, 29, 6)], sizes: { field: "divisions", values: [2, 3, 4, 6, 8] } },
   "fillet-block": { dimension: 3, fields: [count("divisions", 1, 40, 6)], sizes: { field: "divisions", values: [2, 3, 4, 6, 8] } },
   square: { dimension: 2, fields: [count("divisions", 1, 8000, 32)], sizes: { field: "divisions", values: [8, 16, 32, 64, 128, 256] } },

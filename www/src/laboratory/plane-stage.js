@@ -22,8 +22,6 @@ import { words } from "./words.js";
 const ROOM = { top: 84, side: 44 };
 /** CSS pixels of one arrow key; Shift and Alt make it ten times as much and a tenth. */
 const STEP = 10;
-/** Ground of the page by theme. */
-const GROUND = { light: "#ffffff", dark: "#0e0f12" };
 /** @type {{[key: string]: Point}} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
@@ -166,18 +164,7 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
       put(fault, witness && toScreen(view, size, [witness[0], witness[1]]));
       zoom.render();
     },
-    /** What is seen now as a picture. @param {import("../files/picture-rows.js").PictureWanted} wanted @returns {OffscreenCanvas | null} */
-    picture({ width, height, theme, transparent }) {
-      const canvas = new OffscreenCanvas(width, height);
-      const context = canvas.getContext("2d");
-      if (!context) return null;
-      if (!transparent) {
-        context.fillStyle = GROUND[theme];
-        context.fillRect(0, 0, width, height);
-      }
-      for (const each of [picture.canvas, picture.over]) context.drawImage(each, 0, 0, width, height);
-      return canvas;
-    },
+    picture: picture.picture,
     /** Marks a place that is wrong. @param {readonly number[] | null} place */
     witness(place) {
       witness = place;

@@ -2,6 +2,7 @@
  * The picture of a problem in the plane: the solution in the colours of the materials, and the segments of its boundary in those of their conditions.
  *
  * @import { Point, Size, View } from "../types.js"
+ * @import { PictureWanted } from "../files/picture-rows.js"
  * @import { Sheet } from "../part/canvas.js"
  * @import { Mesh } from "./state.js"
  *
@@ -29,6 +30,11 @@ const WIDTH = { color: 4, ink: 6, chosen: 11, tick: 4 };
 const INK = { light: "#17191d", dark: "#f3f4f7" };
 /** What a segment with a flux looks like. */
 const FLUX = { light: "#c3c9d2", dark: "#4a4e58" };
+/** Ground of the page, and what is wrong. */
+const GROUND = { light: "#ffffff", dark: "#0e0f12" };
+const ERROR = { light: "#b3261e", dark: "#ff8d85" };
+/** CSS pixels of a segment whose ends are marked, at least. */
+const LEAST = 5;
 /** CSS pixels of the nearest segment that a place reads. */
 const NEAR = 7;
 
@@ -39,39 +45,13 @@ export function createPlaneView() {
   /** @type {PlanePicture | null} */
   let picture = null;
 
-  /** @param {(element: number) => boolean} isDrawn @param {string | ((element: number) => string)} color @param {number} width */
-  function stroke(isDrawn, color, width) {
-    if (!context || !picture) return;
-    const { boundary, view, size, mesh } = picture;
-    context.lineWidth = width;
-    /** Segments of one colour are one path. @type {Map<string, number[]>} */
-    const byColor = new Map();
-    for (let element = 0; element < mesh.count; element += 1) {
-      if (!isDrawn(element)) continue;
-      const key = typeof color === "string" ? color : color(element);
-      const list = byColor.get(key);
-      if (list) list.push(element);
-      else byColor.set(key, [element]);
-    }
-    for (const [css, elements] of byColor) {
-      context.strokeStyle = css;
-      context.beginPath();
-      for (const element of elements) {
-        const [a, b] = [0, 1].map((k) => toScreen(view, size, flat(pointOf(boundary, boundary.elements[2 * element + k]))));
-        context.moveTo(...a);
-        context.lineTo(...b);
-      }
-      context.stroke();
-    }
-  }
-
   return {
     canvas,
     over,
     /** @param {PlanePicture} next */
     draw(next) {
       picture = next;
-      const { view, size, theme, hasGrid, sheet, colorOf, isChosen, isWrong, isolines, edges, boundary, mesh } = next;
+      const { view, size, theme, hasGrid, sheet } = next;
       draw({ view, size, theme, hasGrid, sheets: sheet ? [sheet] : [], broken: null });
       if (!context) return;
       const ratio = window.devicePixelRatio || 1;
@@ -79,51 +59,117 @@ export function createPlaneView() {
       if (over.width !== width || over.height !== height) [over.width, over.height] = [width, height];
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
       context.clearRect(0, 0, size.width, size.height);
-      Object.assign(context, { lineCap: "round", lineJoin: "round" });
       const style = getComputedStyle(over);
-      if (isolines.length > 0) {
-        context.globalAlpha = 0.55;
-        Object.assign(context, { strokeStyle: "#000000", lineWidth: 1 });
-        context.beginPath();
-        for (let k = 0; k < isolines.length; k += 4) {
-          context.moveTo(...toScreen(view, size, [isolines[k], isolines[k + 1]]));
-          context.lineTo(...toScreen(view, size, [isolines[k + 2], isolines[k + 3]]));
-        }
-        context.stroke();
-        context.globalAlpha = 1;
+      outline(context, next, { chosen: style.getPropertyValue("--accent"), wrong: style.getPropertyValue("--error") });
+    },
+    /** What is seen now as a picture, without marks. @param {PictureWanted} wanted @returns {OffscreenCanvas | null} */
+    picture({ width, height, theme, transparent }) {
+      const made = new OffscreenCanvas(width, height);
+      const target = made.getContext("2d");
+      if (!target || !picture) return null;
+      const { view, size, sheet } = picture;
+      if (!transparent) {
+        target.fillStyle = GROUND[theme];
+        target.fillRect(0, 0, width, height);
       }
-      stroke(isChosen, style.getPropertyValue("--accent"), WIDTH.chosen);
-      stroke(isWrong, style.getPropertyValue("--error"), WIDTH.chosen);
-      stroke(() => true, INK[theme], WIDTH.ink);
-      stroke(() => true, (element) => colorOf(element) ?? FLUX[theme], WIDTH.color);
-      if (!edges) return;
-      context.strokeStyle = INK[theme];
-      context.lineWidth = 1;
-      context.beginPath();
-      for (let element = 0; element < mesh.count; element += 1) {
-        const [a, b] = [0, 1].map((k) => toScreen(view, size, flat(pointOf(boundary, boundary.elements[2 * element + k]))));
-        const long = Math.hypot(b[0] - a[0], b[1] - a[1]);
-        // Where ticks would touch each other they say nothing.
-        if (long < 5) continue;
-        const across = [((b[1] - a[1]) / long) * WIDTH.tick, ((a[0] - b[0]) / long) * WIDTH.tick];
-        context.moveTo(a[0] - across[0], a[1] - across[1]);
-        context.lineTo(a[0] + across[0], a[1] + across[1]);
+      const ratio = Math.min(width / size.width, height / size.height);
+      target.setTransform(ratio, 0, 0, ratio, (width - ratio * size.width) / 2, (height - ratio * size.height) / 2);
+      if (sheet) {
+        const source = new OffscreenCanvas(...sheet.size);
+        source.getContext("2d")?.putImageData(new ImageData(sheet.pixels, sheet.size[0], sheet.size[1]), 0, 0);
+        const [[left, low], [right, high]] = sheet.box;
+        const [from, to] = [toScreen(view, size, [left, high]), toScreen(view, size, [right, low])];
+        target.drawImage(source, ...from, to[0] - from[0], to[1] - from[1]);
       }
-      context.stroke();
+      outline(/** @type {any} */ (target), { ...picture, theme, isChosen: () => false }, { chosen: "", wrong: ERROR[theme] });
+      return made;
     },
     /** The segment nearest to a place of the screen, if it is near. @param {Point} at @returns {number | null} */
     elementAt(at) {
       if (!picture) return null;
-      const { boundary, view, size, mesh } = picture;
       let [best, nearest] = [/** @type {number | null} */ (null), NEAR];
-      for (let element = 0; element < mesh.count; element += 1) {
-        const [a, b] = [0, 1].map((k) => toScreen(view, size, flat(pointOf(boundary, boundary.elements[2 * element + k]))));
-        const distance = toSegment(at, a, b);
+      for (let element = 0; element < picture.mesh.count; element += 1) {
+        const distance = toSegment(at, ...endsOf(picture, element));
         if (distance < nearest) [best, nearest] = [element, distance];
       }
       return best;
     },
   };
+}
+
+/** Where a segment is seen. @param {PlanePicture} picture @param {number} element @returns {[Point, Point]} */
+function endsOf({ boundary, view, size }, element) {
+  return /** @type {[Point, Point]} */ ([0, 1].map((k) => toScreen(view, size, flat(pointOf(boundary, boundary.elements[2 * element + k])))));
+}
+
+/**
+ * Lines of equal fraction, and the boundary over them.
+ * @param {CanvasRenderingContext2D} context
+ * @param {PlanePicture} picture
+ * @param {{chosen: string, wrong: string}} colors
+ */
+function outline(context, picture, colors) {
+  const { view, size, theme, colorOf, isChosen, isWrong, isolines, edges, mesh } = picture;
+  Object.assign(context, { lineCap: "round", lineJoin: "round" });
+  if (isolines.length > 0) {
+    context.globalAlpha = 0.55;
+    Object.assign(context, { strokeStyle: "#000000", lineWidth: 1 });
+    context.beginPath();
+    for (let k = 0; k < isolines.length; k += 4) {
+      context.moveTo(...toScreen(view, size, [isolines[k], isolines[k + 1]]));
+      context.lineTo(...toScreen(view, size, [isolines[k + 2], isolines[k + 3]]));
+    }
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+  stroke(context, picture, isChosen, () => colors.chosen, WIDTH.chosen);
+  stroke(context, picture, isWrong, () => colors.wrong, WIDTH.chosen);
+  stroke(context, picture, () => true, () => INK[theme], WIDTH.ink);
+  stroke(context, picture, () => true, (element) => colorOf(element) ?? FLUX[theme], WIDTH.color);
+  if (!edges) return;
+  context.strokeStyle = INK[theme];
+  context.lineWidth = 1;
+  context.beginPath();
+  for (let element = 0; element < mesh.count; element += 1) {
+    const [a, b] = endsOf(picture, element);
+    const long = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    // Where ticks would touch each other they say nothing.
+    if (long < LEAST) continue;
+    const across = [((b[1] - a[1]) / long) * WIDTH.tick, ((a[0] - b[0]) / long) * WIDTH.tick];
+    context.moveTo(a[0] - across[0], a[1] - across[1]);
+    context.lineTo(a[0] + across[0], a[1] + across[1]);
+  }
+  context.stroke();
+}
+
+/**
+ * Segments of one colour as one path.
+ * @param {CanvasRenderingContext2D} context
+ * @param {PlanePicture} picture
+ * @param {(element: number) => boolean} isDrawn
+ * @param {(element: number) => string} color
+ * @param {number} width
+ */
+function stroke(context, picture, isDrawn, color, width) {
+  /** @type {Map<string, number[]>} */
+  const byColor = new Map();
+  for (let element = 0; element < picture.mesh.count; element += 1) {
+    if (!isDrawn(element)) continue;
+    const list = byColor.get(color(element));
+    if (list) list.push(element);
+    else byColor.set(color(element), [element]);
+  }
+  context.lineWidth = width;
+  for (const [css, elements] of byColor) {
+    context.strokeStyle = css;
+    context.beginPath();
+    for (const element of elements) {
+      const [a, b] = endsOf(picture, element);
+      context.moveTo(...a);
+      context.lineTo(...b);
+    }
+    context.stroke();
+  }
 }
 
 /** @param {readonly number[]} point @returns {Point} */

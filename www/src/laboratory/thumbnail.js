@@ -1,20 +1,23 @@
 /**
- * The small picture of a problem in a list: in the plane its solution, in space its boundary in the colours of its conditions, painted as a figure on other
+ * The small picture of a problem in a list: in the plane its solution, in space its boundary in the colours of its conditions, cut by its section, painted as a figure on other
  * pages paints a body, without a graphics card.
  *
  * @import { Kernel, Size } from "../types.js"
  * @import { LaboratoryDocument } from "./document.js"
  */
 import { paint } from "../../../js/element/body/picture.js";
+import { faceOf, planeOf, shapeOf } from "../../../js/element/problem/picture.js";
 import { fitted, STANDARD } from "../space/camera.js";
 import { cornersOf } from "../space/vector.js";
 import { inputOf } from "./document.js";
-import { elementLabs } from "./element-colors.js";
-import { boundsOf, soupOf } from "./mesh.js";
+import { countOf } from "./mesh.js";
 import { colorsOf } from "./pixels.js";
 
 /** Share of the picture that stays free at each edge. */
 const MARGIN = 0.06;
+/** Elements up to which a small picture is worth a solution, and pixels along the longer side of a section. */
+const MOST = 1500;
+const PIXELS = 80;
 
 /**
  * @param {Kernel} kernel
@@ -30,17 +33,17 @@ export async function problemThumbnail(kernel, raw, size, ratio, signal) {
   const canvas = globalThis.document.createElement("canvas");
   [canvas.width, canvas.height] = [size.width * ratio, size.height * ratio];
   const boundary = await kernel.boundary(/** @type {any} */ (document));
-  const bounds = boundsOf(boundary);
+  const isQuick = boundary.ready && countOf(boundary) <= MOST;
+  const solution = isQuick ? await kernel.solveLaplace(inputOf(boundary, document.solver ?? {}), control) : null;
   if (boundary.dimension === 3) {
-    const soup = soupOf(boundary);
     const frame = { size, top: 0, bottom: 0 };
-    const surface = { ...soup, edges: [], edgePositions: new Float32Array(0), corners: [] };
-    const shape = { surface, labs: elementLabs(boundary, document.materials, null), bounds };
-    paint(canvas, /** @type {any} */ (shape), null, { camera: fitted(STANDARD.iso, frame, cornersOf(bounds)), frame, ratio, theme: "light", isFine: true, isSmall: true });
+    const shape = shapeOf(boundary, document.materials);
+    const plane = planeOf(document);
+    const cut = solution && plane ? await faceOf(solution, { boundary, materials: document.materials, plane }, PIXELS, control) : null;
+    paint(canvas, shape, cut, { camera: fitted(STANDARD.iso, frame, cornersOf(shape.bounds)), frame, ratio, theme: "light", isFine: true, isSmall: true });
     return canvas.toDataURL("image/png");
   }
-  if (!boundary.ready) return canvas.toDataURL("image/png");
-  const solution = await kernel.solveLaplace(inputOf(boundary, document.solver ?? {}), control);
+  if (!solution) return canvas.toDataURL("image/png");
   const longest = Math.round(Math.min(canvas.width, canvas.height) * (1 - 2 * MARGIN));
   const found = await solution.section({ longest }, control);
   const sheet = globalThis.document.createElement("canvas");

@@ -18,6 +18,8 @@
  * @property {string} across what runs along x, and `up` along y
  * @property {string} up
  * @property {boolean} isLogAcross
+ * @property {boolean} [isLinearUp] else y is logarithmic
+ * @property {[number, number]} [span] the ends of x, where they are known
  * @property {(value: number) => string} place in words
  * @property {(value: number) => string} value in words
  * @property {(text: string) => void} say
@@ -37,7 +39,7 @@ const DECADE = 10;
 const MOST_TICKS = 8;
 
 /** @param {ChartOptions} options */
-export function createChart({ name, label, across, up, isLogAcross, place, value, say }) {
+export function createChart({ name, label, across, up, isLogAcross, isLinearUp = false, span, place, value, say }) {
   const surface = h("div", { class: "lab-chart-plot", tabIndex: 0, role: "img", "data-lab-chart": name });
   const legend = h("div", { class: "lab-chart-legend", role: "group", "aria-label": label });
   const readout = h("p", { class: "lab-chart-readout number", "aria-hidden": "true" });
@@ -72,12 +74,12 @@ export function createChart({ name, label, across, up, isLogAcross, place, value
         legend: { show: false },
         cursor: { drag: { setScale: false, x: false, y: false }, points: { size: 7 }, y: false },
         scales: {
-          x: isLogAcross ? { time: false, distr: 3, range: (_, low, high) => [low / 1.15, high * 1.15] } : { time: false, range: (_, low, high) => [low, Math.max(high, low + 1)] },
-          y: { distr: 3, range: (_, low, high) => widened(low, high) },
+          x: isLogAcross ? { time: false, distr: 3, range: (_, low, high) => [low / 1.15, high * 1.15] } : { time: false, range: (_, low, high) => span ?? [low, Math.max(high, low + 1)] },
+          y: isLinearUp ? { range: (_, __, high) => [0, Math.max(1, 1.1 * high)] } : { distr: 3, range: (_, low, high) => widened(low, high) },
         },
         axes: [
           { ...axis, label: across, labelSize: 18, size: 30, ...(isLogAcross ? { ...logarithmic(true), values: (_, splits) => splits.map(place) } : {}) },
-          { ...axis, label: up, labelSize: 18, size: 46, ...logarithmic(false), values: (_, splits) => splits.map(power) },
+          { ...axis, label: up, labelSize: 18, size: 46, ...(isLinearUp ? {} : { ...logarithmic(false), values: (_, splits) => splits.map(power) }) },
         ],
         series: [
           {},

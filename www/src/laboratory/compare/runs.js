@@ -28,15 +28,18 @@
  * @property {number} size
  * @property {number} elements
  * @property {number | null} error
- * @property {Outcome | null} gmres
- * @property {Outcome | null} lu
+ * @property {{[method in Method]?: Outcome}} outcomes
  *
  * @typedef {object} Found
  * @property {LaboratoryDocument} document
  * @property {Run[]} runs
  * @property {number | null} condition
  *
- * @typedef {{document: LaboratoryDocument, sizes: Size[], isDone: boolean}} Series
+ * @typedef {{document: LaboratoryDocument, sizes: Size[]}} Series
+ *
+ * @typedef {{omega: number, iterations: number, converged: boolean}} Trial One parameter of SSOR.
+ *
+ * @typedef {{document: LaboratoryDocument, trials: Trial[]}} Sweep
  */
 import { problem } from "../../painter.js";
 import { accuracyOf } from "../accuracy.js";
@@ -48,6 +51,8 @@ import { words } from "./words.js";
 
 /** Methods in the order of the table. */
 export const METHODS = /** @type {const} */ (["lu", "none", "jacobi", "ssor"]);
+/** Parameters of SSOR that are tried. */
+const OMEGAS = [0.1, 0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.5, 1.7, 1.9];
 
 /**
  * @param {Bench} bench
@@ -61,6 +66,8 @@ export function createRuns(bench, changed) {
   let found = null;
   /** @type {Series | null} */
   let series = null;
+  /** @type {Sweep | null} */
+  let swept = null;
   let progress = 0;
   let running = "";
 
@@ -118,7 +125,10 @@ export function createRuns(bench, changed) {
     get series() {
       return series;
     },
-    /** What runs: `methods`, `sizes`, or nothing. */
+    get swept() {
+      return swept;
+    },
+    /** What runs: `methods`, `sizes`, `omegas`, or nothing. */
     get running() {
       return running;
     },
@@ -160,24 +170,34 @@ export function createRuns(bench, changed) {
       const own = solverOf(document);
       /** @type {Size[]} */
       const sizes = [];
-      /** @type {Series} */
-      const next = { document, sizes, isDone: false };
-      series = next;
+      series = { document, sizes };
       void fly("sizes", async (signal) => {
         for (const size of MODELS[document.model.kind].sizes.values) {
           const sized = { ...document, model: inSize(document.model, size) };
-          const { boundary, outcome } = await solved(sized, { ...solverFor("jacobi", own), preconditioner: own.preconditioner }, signal);
-          const elements = boundary.elements.length / boundary.dimension;
-          /** @type {Size} */
-          const row = { size, elements, error: outcome.error, gmres: outcome, lu: null };
-          sizes.push(row);
-          changed();
-          if (elements > MOST.lu) continue;
-          const byElimination = await solved(sized, { method: "lu" }, signal);
-          row.lu = byElimination.outcome;
+          /** @type {Size | null} */
+          let row = null;
+          for (const method of /** @type {const} */ (["jacobi", "none", "ssor", "lu"])) {
+            if (row && row.elements > MOST.lu && method === "lu") continue;
+            const { boundary, outcome } = await solved(sized, solverFor(method, own), signal);
+            if (!row) sizes.push((row = { size, elements: boundary.elements.length / boundary.dimension, error: outcome.error, outcomes: {} }));
+            row.outcomes[method] = outcome;
+            changed();
+          }
+        }
+      });
+    },
+    /** Solves the problem by SSOR with one parameter after the other. @param {LaboratoryDocument} document */
+    sweep(document) {
+      const own = solverOf(document);
+      /** @type {Trial[]} */
+      const trials = [];
+      swept = { document, trials };
+      void fly("omegas", async (signal) => {
+        for (const omega of OMEGAS) {
+          const { outcome } = await solved(document, solverFor("ssor", { ...own, omega }), signal);
+          trials.push({ omega, iterations: outcome.iterations, converged: outcome.converged });
           changed();
         }
-        next.isDone = true;
       });
     },
     cancel() {

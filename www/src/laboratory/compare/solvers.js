@@ -12,7 +12,8 @@ import { download } from "../../files/download.js";
 import { fileName } from "../../files/names.js";
 import { fixed, milliseconds, percent } from "../../format.js";
 import { numberText } from "../../space/measure.js";
-import { isSameProblem } from "../document.js";
+import { isSameProblem, MOST } from "../document.js";
+import { solverOf } from "../edits.js";
 import { inSize, isNamed, MODELS } from "../models.js";
 import { words as page } from "../words.js";
 import { createChart } from "./chart.js";
@@ -22,6 +23,8 @@ import { words } from "./words.js";
 
 /** Elements up to which runs begin by themselves when the laboratory is entered. */
 const AT_ONCE = 1500;
+/** Preconditioners of GMRES whose iterations are compared. */
+const GMRES = /** @type {const} */ (["none", "jacobi", "ssor"]);
 /** Iterations in the table of residuals that is read aloud, at most. */
 const LISTED = 24;
 /** Colours that are told apart by colour-blind readers as well (Okabe and Ito), on a light and on a dark ground. */
@@ -63,12 +66,25 @@ export function createSolvers(bench, place) {
   const panels = (/** @type {number} */ value) => fixed(value, 0);
   const error = createChart({ name: "error", label: words.sizes.error.label, across: words.sizes.error.across, up: words.sizes.error.up, isLogAcross: true, place: panels, value: numberText, say: app.say });
   const time = createChart({ name: "time", label: words.sizes.time.label, across: words.sizes.time.across, up: words.sizes.time.up, isLogAcross: true, place: panels, value: (ms) => `${milliseconds(ms)} ms`, say: app.say });
+  const iterations = createChart({ name: "iterations", label: words.sizes.iterations.label, across: words.sizes.iterations.across, up: words.sizes.iterations.up, isLogAcross: true, isLinearUp: true, place: panels, value: (count) => fixed(count, 0), say: app.say });
+  const omegas = createChart({ name: "omegas", label: words.omegas.label, across: words.omegas.across, up: words.omegas.up, isLogAcross: false, isLinearUp: true, span: [0, 2], place: words.omegas.at, value: (count) => fixed(count, 0), say: app.say });
+  const sweep = button("sweep", words.omegas.run, () => (runs.running === "omegas" ? runs.cancel() : runs.sweep(bench.now().document)));
+  const omegasAbout = h("p", { class: "solvers-about" });
+  const omegasTable = h("div", {});
+  const sweepPart = h(
+    "section",
+    { class: "solvers-part", "aria-labelledby": "solvers-omegas" },
+    h("div", { class: "solvers-head" }, h("h2", { id: "solvers-omegas" }, words.omegas.heading), h("div", { class: "solvers-acts" }, sweep)),
+    omegasAbout,
+    omegas.element,
+    omegasTable,
+  );
   const grow = button("grow", words.sizes.run, () => (runs.running === "sizes" ? runs.cancel() : runs.grow(bench.now().document)));
   const saveSizes = button("csv-sizes", words.csv, () => saveRows("sizes"));
   const sizesAbout = h("p", { class: "solvers-about" });
   const slope = h("p", { class: "solvers-fact", "data-solvers-slope": "" });
   const sizesTable = h("div", {});
-  const charts = h("div", { class: "solvers-charts" }, error.element, time.element);
+  const charts = h("div", { class: "solvers-charts" }, error.element, iterations.element, time.element);
   const sizes = h(
     "section",
     { class: "solvers-part", "aria-labelledby": "solvers-sizes" },
@@ -93,6 +109,7 @@ export function createSolvers(bench, place) {
       listed,
       h("p", { class: "lab-note" }, words.runs.note),
     ),
+    sweepPart,
     sizes,
   );
   place.append(element);
@@ -199,12 +216,16 @@ export function createSolvers(bench, place) {
     sizes.classList.toggle("stale", isStale);
     const all = series?.sizes ?? [];
     const theme = app.ui.value.theme;
+    const own = solverOf(document).preconditioner;
     const places = all.map(({ elements }) => elements);
     const errors = all.map((each) => positive(each.error));
     const measured = all.flatMap((each) => (each.error !== null && each.error > 0 ? [{ x: each.elements, y: each.error }] : []));
     const fit = slopeOf(measured);
     slope.hidden = all.length === 0;
-    write(slope, fit === null ? (all.some((each) => each.error !== null) ? "" : words.sizes.noExact) : words.sizes.slope(fixed(fit, 2), measured.length));
+    const bySteps = slopeOf(all.flatMap((each) => (each.error !== null && each.error > 0 ? [{ x: each.size, y: each.error }] : [])));
+    const field = isNumbered ? MODELS[model.kind].sizes.field : "";
+    const steps = field === "level" || bySteps === null ? "" : words.sizes.steps(page.model.fields[field].toLowerCase(), fixed(bySteps, 2));
+    write(slope, fit === null ? (all.some((each) => each.error !== null) ? "" : words.sizes.noExact) : `${words.sizes.slope(fixed(fit, 2), measured.length)}${steps}`);
     charts.hidden = all.length === 0;
     error.element.hidden = measured.length === 0;
     const line = fit === null ? null : fitted(measured, fit);
@@ -224,15 +245,41 @@ export function createSolvers(bench, place) {
       {
         places,
         curves: [
-          { ...ms(words.sizes.time.assembly, "--text-2", (each) => each.gmres?.assembly), dashed: true },
-          ms(words.sizes.time.gmres, COLORS[theme].jacobi, (each) => each.gmres?.solve),
-          ms(words.sizes.time.lu, COLORS[theme].lu, (each) => each.lu?.solve),
+          { ...ms(words.sizes.time.assembly, "--text-2", (each) => each.outcomes[own]?.assembly), dashed: true },
+          ms(words.sizes.time.gmres, COLORS[theme][own], (each) => each.outcomes[own]?.solve),
+          ms(words.sizes.time.lu, COLORS[theme].lu, (each) => each.outcomes.lu?.solve),
         ],
       },
       theme,
       words.sizes.time.label,
     );
-    sizesTable.replaceChildren(...(all.length > 0 ? [spokenTable(words.sizes.table, words.sizes.columns, sizeRows(all).slice(1).map((row) => row.map((value) => (typeof value === "number" ? numberText(value) : value))))] : []));
+    iterations.set(
+      { places, curves: GMRES.map((method) => ms(words.sizes.iterations.methods[method], COLORS[theme][method], (each) => each.outcomes[method]?.iterations)) },
+      theme,
+      words.sizes.iterations.label,
+    );
+    sizesTable.replaceChildren(...(all.length > 0 ? [spokenTable(words.sizes.table, sizeRows(all)[0].map(String), sizeRows(all).slice(1).map((row) => row.map((value) => (typeof value === "number" ? numberText(value) : value))))] : []));
+  }
+
+  function renderOmegas() {
+    const { document, known } = bench.now();
+    const { swept } = runs;
+    const isRunning = runs.running === "omegas";
+    const isStale = swept !== null && !isSameProblem(swept.document, document);
+    const trials = swept?.trials ?? [];
+    const best = trials.filter(({ converged }) => converged).reduce((least, each) => (least && least.iterations <= each.iterations ? least : each), /** @type {import("./runs.js").Trial | null} */ (null));
+    sweep.disabled = (known?.boundary.ready === false || (known?.mesh.count ?? 0) > MOST.ssor) && !isRunning;
+    write(sweep, isRunning ? words.cancel : swept ? words.again : words.omegas.run);
+    sweepPart.classList.toggle("stale", isStale);
+    write(omegasAbout, isRunning ? words.working(words.omegas.label, percent(runs.progress)) : isStale ? words.stale : best ? words.omegas.best(fixed(best.omega, 1), best.iterations) : words.omegas.about);
+    omegas.element.hidden = trials.length === 0;
+    const rows = trials.map((each) => [fixed(each.omega, 1), `${each.iterations}${each.converged ? "" : ` (${words.runs.notConverged})`}`]);
+    omegas.set(
+      { places: trials.map(({ omega }) => omega), curves: [{ name: words.omegas.up, color: COLORS[app.ui.value.theme].ssor, dashed: false, points: true, values: trials.map((each) => each.iterations) }] },
+      app.ui.value.theme,
+      omegasAbout.textContent ?? "",
+    );
+    omegasTable.replaceChildren(...(rows.length > 0 ? [spokenTable(words.omegas.label, [words.omegas.across, words.omegas.up], rows)] : []));
   }
 
   return {
@@ -246,16 +293,17 @@ export function createSolvers(bench, place) {
         compare();
         return;
       }
-      const key = JSON.stringify([document.title, isCurrent, known?.mesh.count, known?.boundary.ready, runs.found?.runs, runs.found?.condition, runs.running, runs.progress, runs.series?.sizes, app.ui.value.theme, begun]) + (runs.found && isSameProblem(runs.found.document, document)) + (runs.series && runs.series.document === document) + document.model.kind;
+      const key = JSON.stringify([document.title, isCurrent, known?.mesh.count, known?.boundary.ready, runs.found?.runs, runs.found?.condition, runs.running, runs.progress, runs.series?.sizes, runs.swept?.trials, document.solver, app.ui.value.theme, begun]) + (runs.found && isSameProblem(runs.found.document, document)) + (runs.series && runs.series.document === document) + document.model.kind;
       if (key === drawn) return;
       drawn = key;
       attribute(element, "aria-busy", String(runs.running !== ""));
       renderRuns();
+      renderOmegas();
       renderSizes();
     },
     close() {
       runs.close();
-      for (const chart of [residuals, error, time]) chart.close();
+      for (const chart of [residuals, omegas, error, iterations, time]) chart.close();
     },
   };
 }
@@ -309,7 +357,13 @@ function residualRows(runs) {
 /** Sizes as rows of a file. @param {Size[]} sizes @returns {(string | number)[][]} */
 function sizeRows(sizes) {
   return [
-    ["panels", "largest error", "set-up ms", "gmres ms", "iterations", "lu ms"],
-    ...sizes.map(({ elements, error, gmres, lu }) => [elements, error ?? "", gmres?.assembly ?? "", gmres?.solve ?? "", gmres?.iterations ?? "", lu?.solve ?? ""]),
+    ["panels", "largest error", "set-up ms", ...GMRES.flatMap((method) => [`${method} ms`, `${method} iterations`]), "lu ms"],
+    ...sizes.map(({ elements, error, outcomes }) => [
+      elements,
+      error ?? "",
+      outcomes.jacobi?.assembly ?? "",
+      ...GMRES.flatMap((method) => [outcomes[method]?.solve ?? "", outcomes[method]?.iterations ?? ""]),
+      outcomes.lu?.solve ?? "",
+    ]),
   ];
 }
