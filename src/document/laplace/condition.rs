@@ -21,7 +21,7 @@ pub(super) struct Chosen {
     direction: Option<(DVec3, f64)>,
     bounds: Option<[DVec3; 2]>,
     positive: Option<Expression>,
-    /// Runs by their first elements.
+    /// Runs that do not meet, in order.
     runs: Option<Vec<[usize; 2]>>,
 }
 
@@ -50,19 +50,29 @@ fn value(expression: &Expression, point: DVec3) -> f64 {
     expression.value(&[point.x, point.y, point.z, point.x.hypot(point.y)])
 }
 
+/// The same elements in runs that do not meet, in order.
+fn joined(runs: &[[usize; 2]]) -> Vec<[usize; 2]> {
+    let mut sorted = runs.to_vec();
+    sorted.sort_unstable();
+    let mut joined: Vec<[usize; 2]> = Vec::with_capacity(sorted.len());
+    for [first, last] in sorted {
+        match joined.last_mut() {
+            Some(before) if first <= before[1] => before[1] = before[1].max(last),
+            _ => joined.push([first, last]),
+        }
+    }
+    joined
+}
+
 impl Chosen {
     /// Reads the expression of a selection.
     pub(super) fn new(spec: &Selection, path: &str) -> Made<Self> {
         let positive = spec.positive.as_ref();
-        let mut runs = spec.elements.clone();
-        if let Some(runs) = &mut runs {
-            runs.sort_unstable();
-        }
         Ok(Self {
             direction: spec.direction.map(|(way, angle)| (way, angle.to_radians().cos() - ROUNDING)),
             bounds: spec.bounds,
             positive: positive.map(|text| expression(text, &format!("{path}.positive"))).transpose()?,
-            runs,
+            runs: spec.elements.as_deref().map(joined),
         })
     }
 
@@ -70,7 +80,7 @@ impl Chosen {
     pub(super) fn holds(&self, element: usize, panel: &Panel) -> bool {
         let is_in_run = |runs: &Vec<[usize; 2]>| {
             let after = runs.partition_point(|[first, _]| *first <= element);
-            runs[..after].iter().rev().any(|[_, last]| element <= *last)
+            after > 0 && element <= runs[after - 1][1]
         };
         let is_within =
             |[low, high]: [DVec3; 2]| panel.centre.cmpge(low).all() && panel.centre.cmple(high).all();
