@@ -28,7 +28,7 @@ export function materialsGroup(bench) {
     bench.request();
   };
   return {
-    name: "materials",
+    name: "lab-materials",
     heading: words.materials.heading,
     body: h("div", {}, rows, h("div", { class: "lab-acts" }, add), h("p", { class: "lab-note" }, words.materials.note)),
     phrase: () => bench.now().document.materials.map(({ name }) => name).slice(0, 3).join(", "),
