@@ -25,7 +25,7 @@ import { faceFrame, planeOf, pixelsOf } from "./section-state.js";
 const COARSE = 72;
 const FINE = { least: 160, most: 512 };
 /** Products of pixels and elements that a picture at rest may take. */
-const WORK = 3e8;
+const WORK = 8e8;
 /** Milliseconds of rest before all pixels are evaluated. */
 const REST = 140;
 

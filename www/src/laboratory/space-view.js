@@ -124,6 +124,7 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
     /** @param {Picture} next */
     set(next) {
       const [isNew, isMoved] = [next.mesh !== picture?.mesh, JSON.stringify(next.plane) !== JSON.stringify(picture?.plane)];
+      const isElsewhere = picture !== null && JSON.stringify(next.mesh.bounds) !== JSON.stringify(picture.mesh.bounds);
       picture = next;
       if (isNew) scene.set(next.mesh);
       if (isNew || isMoved) {
@@ -131,6 +132,8 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
         mark.set(next.plane, next.mesh.soup?.positions ?? []);
         viewer.bound();
       }
+      // A body of another size is seen as a whole, from where the last one was seen.
+      if (isElsewhere) viewer.fit();
       viewer.request();
     },
     /** What is seen now as a picture. @param {PictureWanted} wanted @returns {OffscreenCanvas | null} */
