@@ -22,6 +22,8 @@ mod insert_point;
 mod iso_options;
 mod json;
 #[cfg(feature = "laplace")]
+mod laplace;
+#[cfg(feature = "laplace")]
 mod laplace_options;
 mod memory;
 mod model;
@@ -72,6 +74,12 @@ pub use hyperpatch::{
 pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;
+#[cfg(feature = "laplace")]
+pub use laplace::{
+    BoundaryDiagnostic, BoundaryJob, BoundaryMemory, BoundaryModel, BoundaryProblem, ConditionSpec, Datum,
+    Exact, ExactJob, GroupSpec, LaplaceDocument, MOST_GROUPS, SectionSpec, Selection, SetRow,
+    SharedCondition, SolverSpec, read_laplace,
+};
 #[cfg(feature = "laplace")]
 pub use laplace_options::{LaplaceInput, LaplaceLists, read_frame};
 pub use memory::Memory;

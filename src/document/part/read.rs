@@ -3,7 +3,7 @@
 use super::super::control_points::plane_points;
 use super::super::fields::{materials, numbers};
 use super::super::node::Node;
-use super::super::read::check_version;
+use super::super::read::check_kind;
 use super::super::{Code, CurveForm, DocumentError, Json};
 use super::read_blend::read_blend;
 use super::schema::{
@@ -43,14 +43,7 @@ type Read<T> = Result<T, DocumentError>;
 /// name that occurs twice, or too many of something. What fields mean together is for [`PartModel`](super::PartModel) to say.
 pub fn read_part(document: &Json) -> Read<PartDocument> {
     let root = Node::root(document, "");
-    check_version(&root)?;
-    let kind = root.need("kind")?;
-    let found = ["curves", "part", "hyperpatch"];
-    let number = kind.choice(&found)?;
-    if number != 1 {
-        let message = format!("`{}` was found; expected the kind `part`", found[number]);
-        return Err(kind.error(Code::Kind, message));
-    }
+    check_kind(&root, "part")?;
     root.only(&["directrix", "kind", "title", "unit", "materials", "shapes", "bodies", "rules"])?;
     let text = |name: &str, most: usize, default: &str| match root.get(name)? {
         Some(node) => node.text(most),
