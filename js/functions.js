@@ -18,6 +18,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "fitCurve",
   "morphPaths",
   "amounts",
+  "harmonic",
   "solid",
   "solidFile",
   "hyperpatch",

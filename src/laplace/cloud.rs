@@ -4,13 +4,10 @@
 
 use super::cluster::SLOTS;
 use super::panel::Space;
+use super::single::{LANES, inverse_root, ln};
 use glam::{DVec3, Vec3};
-use std::f32::consts::{LN_2, SQRT_2};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
-
-/// Numbers that are worked on together.
-const LANES: usize = 8;
 
 /// Least squared distance: places on the point itself, whose values are never used, must not divide by 0.
 const LEAST: f32 = 1e-24;
@@ -191,63 +188,4 @@ pub(super) fn sum_of(values: &Values, single: &[f32], double: Option<&[f32]>) ->
 #[inline(always)]
 fn lanes<'a>(column: &'a [f32], slots: &Range<usize>) -> &'a [[f32; LANES]] {
     column[slots.clone()].as_chunks::<LANES>().0
-}
-
-/// The natural logarithm of a positive normal number, to 2e-7 of 1, without branches: the exponent, and a polynomial for the rest (that of the Cephes library).
-#[inline(always)]
-fn ln(x: f32) -> f32 {
-    let bits = x.to_bits();
-    let mut exponent = ((bits >> 23) as i32 - 127) as f32;
-    let mut rest = f32::from_bits(bits & 0x007f_ffff | 0x3f80_0000);
-    let is_large = rest > SQRT_2;
-    exponent = if is_large { exponent + 1.0 } else { exponent };
-    rest = if is_large { 0.5 * rest } else { rest } - 1.0;
-    let square = rest * rest;
-    let mut sum = 7.037_683_6e-2_f32;
-    for coefficient in [
-        -1.151_461e-1,
-        1.167_699_87e-1,
-        -1.242_014_1e-1,
-        1.424_932_3e-1,
-        -1.666_805_7e-1,
-        2.000_071_5e-1,
-        -2.499_999_4e-1,
-        3.333_333e-1,
-    ] {
-        sum = sum * rest + coefficient;
-    }
-    rest - 0.5 * square + rest * square * sum + exponent * LN_2
-}
-
-/// One over the square root of a positive normal number, to 3e-7, by multiplications alone: a guess from the bits of the number, one step of Newton's and one of
-/// the next order. Vector units divide and take roots several times more slowly.
-#[inline(always)]
-fn inverse_root(x: f32) -> f32 {
-    let guess = f32::from_bits(0x5f37_5a86 - (x.to_bits() >> 1));
-    let near = guess * (1.5 - 0.5 * x * guess * guess);
-    let rest = x * near * near;
-    near * (1.875 + rest * (0.375 * rest - 1.25))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_inverse_root_is_that_of_the_library() {
-        for k in 0..20_000 {
-            let x = 10.0_f32.powf(k as f32 / 500.0 - 24.0);
-            let error = f64::from(inverse_root(x)) * f64::from(x).sqrt() - 1.0;
-            assert!(error.abs() < 3e-7, "{error} at {x}");
-        }
-    }
-
-    #[test]
-    fn the_logarithm_is_that_of_the_library() {
-        for k in 0..20_000 {
-            let x = 10.0_f32.powf(k as f32 / 500.0 - 24.0);
-            let error = (f64::from(ln(x)) - f64::from(x).ln()).abs();
-            assert!(error < 2e-7 * f64::from(x).ln().abs().max(1.0), "{error} at {x}");
-        }
-    }
 }

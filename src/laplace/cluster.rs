@@ -29,14 +29,7 @@ pub(super) struct Cluster {
     diameter: f64,
 }
 
-impl Cluster {
-    /// Whether all of it is farther from a point than this.
-    pub(super) fn is_beyond(&self, x: DVec3, distance: f64) -> bool {
-        x.distance(self.centre) - self.radius > distance
-    }
-}
-
-/// How the panels of a cluster are taken at a point.
+/// How panels are taken at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reach {
     /// One by one.
@@ -45,6 +38,18 @@ pub(super) enum Reach {
     Medium,
     /// By one place each.
     Far,
+}
+
+/// How panels up to this diameter are taken at this distance.
+#[inline(always)]
+pub(super) fn reach(diameter: f64, distance: f64) -> Reach {
+    if distance <= EXACT * diameter {
+        Reach::Near
+    } else if distance <= FAR * diameter {
+        Reach::Medium
+    } else {
+        Reach::Far
+    }
 }
 
 /// Panels with their clusters.
@@ -113,14 +118,7 @@ impl Panels {
     /// How the panels of a cluster are taken at a point.
     #[inline(always)]
     pub(super) fn reach(cluster: &Cluster, x: DVec3) -> Reach {
-        let distance = x.distance(cluster.centre) - cluster.radius;
-        if distance <= EXACT * cluster.diameter {
-            Reach::Near
-        } else if distance <= FAR * cluster.diameter {
-            Reach::Medium
-        } else {
-            Reach::Far
-        }
+        reach(cluster.diameter, x.distance(cluster.centre) - cluster.radius)
     }
 
     /// The layers of the panels of a cluster at a point, and how they were taken.

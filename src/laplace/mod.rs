@@ -15,6 +15,7 @@ mod cluster;
 mod error;
 mod gmres;
 mod job;
+mod lanes;
 mod lu;
 mod matrix;
 mod mesh;
@@ -24,7 +25,9 @@ mod problem;
 pub mod samples;
 mod section;
 mod segment;
+mod single;
 mod solution;
+mod tile;
 mod triangle;
 
 pub use ask::{Found, MOST_POINTS, PointsJob, Quantity};

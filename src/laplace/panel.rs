@@ -144,6 +144,12 @@ impl Space {
 }
 
 impl Panel {
+    /// Height above the line or the plane of the panel that counts as none: what rounding makes of points on it. Small panels away from the origin have lost more.
+    #[inline(always)]
+    pub(super) fn rounding(&self) -> f64 {
+        1e-14 * self.diameter + 4.0 * f64::EPSILON * self.corners[0].abs().max_element()
+    }
+
     /// The point of the panel that is nearest to `x`.
     #[must_use]
     pub fn nearest(&self, x: DVec3) -> DVec3 {

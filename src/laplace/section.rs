@@ -1,25 +1,36 @@
 //! The solution on the pixels of a plane, in steps.
 //!
-//! Pixels are taken in tiles. What panels away from a tile do to it is a smooth function, which is found at Chebyshev's places and interpolated; the others
-//! are integrated exactly for every pixel. So a picture costs little more than its tiles.
+//! Pixels are taken in square tiles. What panels away from a tile do to it is a smooth function, which is found at Chebyshev's places and interpolated. A
+//! tile with panels nearby is quartered: its quarters take the function over at their own places, and only panels that are away from them and were not from
+//! the whole are added. In the smallest tiles the panels that are left are integrated for every pixel. So a picture costs little more than its pixels.
 
-use super::cloud::Values;
-use super::cluster::NOBODY;
+use super::cluster::{Reach, reach};
 use super::error::{Fault, LaplaceError};
-use super::panel::{Panel, Space};
+use super::lanes::{Points, layers};
+use super::panel::Space;
+use super::single::LANES;
 use super::solution::{INSIDE, Solution};
+use super::tile::{Grid, NODES, Weights, halves, place, quarter};
 use glam::DVec3;
 use std::borrow::Borrow;
-use std::f64::consts::PI;
+use std::rc::Rc;
 
-/// Pixels along a side of a tile.
-const TILE: usize = 32;
+/// Pixels along a side of the largest tiles, and of the smallest; powers of 2.
+const LARGEST: usize = 256;
+const SMALLEST: usize = 16;
 
-/// Places along a side of a tile between which is interpolated.
-const NODES: usize = 8;
-
-/// Panels that come nearer to the middle of a tile than so many times its half diagonal are integrated exactly; the others are interpolated, to about 1e-5.
+/// Panels that come nearer to the middle of a tile than so many times its half diagonal are left to its quarters or integrated for every pixel; the others are
+/// interpolated, to about 1e-5.
 const APART: f64 = 1.75;
+
+/// A tile is quartered where its pixels times the panels nearby are more than this; below, its quarters would cost more.
+const MANY: usize = 8192;
+
+/// Panels added up in single precision before their sum goes into one in double precision.
+const FLUSHED: usize = 32;
+
+/// Panels times points between two looks at the clock, about.
+const BATCH: usize = 1 << 14;
 
 /// Most pixels of a section.
 pub const MOST_PIXELS: usize = 1 << 22;
@@ -54,13 +65,63 @@ pub struct SectionJob<S: Borrow<Solution>> {
     solution: S,
     frame: Frame,
     section: Section,
-    /// The corner and the sides in the coordinates of computing.
+    /// The corner and the sides of a pixel in the coordinates of computing.
     origin: DVec3,
     steps: [DVec3; 2],
-    /// Of each pixel of a tile the weights of the places along a side.
-    weights: [[f64; NODES]; TILE],
-    /// The next tile.
-    tile: usize,
+    /// The corners of the box of all panels.
+    bounds: (DVec3, DVec3),
+    /// Of tiles from the smallest to the largest.
+    weights: Vec<Weights>,
+    halves: [[[f64; NODES]; NODES]; 2],
+    /// Pixels along a side of the first tiles, and the next one of them.
+    side: usize,
+    next: usize,
+    /// Above all tiles: every panel is nearby.
+    all: Rc<Made>,
+    /// Quarters that wait.
+    waiting: Vec<Tile>,
+    /// A tile whose pixels are being made.
+    open: Option<Rows>,
+    /// Pixels that are done.
+    done: usize,
+    scratch: Scratch,
+}
+
+/// A tile to be made.
+#[derive(Debug)]
+struct Tile {
+    /// Its first pixel, and pixels along a side.
+    corner: [usize; 2],
+    side: usize,
+    above: Rc<Made>,
+    /// Which quarter it is of the one above, where that has numbers.
+    quarter: [usize; 2],
+}
+
+/// What was found of a tile.
+#[derive(Debug)]
+struct Made {
+    /// What panels away from it do at its places: for each material, and last the share of the full angle. Empty where there are none yet.
+    grids: Vec<Grid>,
+    near: Vec<u32>,
+}
+
+/// A tile whose pixels are made row by row.
+#[derive(Debug)]
+struct Rows {
+    corner: [usize; 2],
+    side: usize,
+    grids: Vec<Grid>,
+    near: Vec<(u32, Reach)>,
+    row: usize,
+}
+
+/// Sums at points that are worked on together, for each material and last for the share of the full angle.
+#[derive(Debug)]
+struct Scratch {
+    sums: Vec<[f64; LANES]>,
+    parts: Vec<[f32; LANES]>,
+    values: Vec<f64>,
 }
 
 impl Frame {
@@ -108,42 +169,56 @@ impl<S: Borrow<Solution>> SectionJob<S> {
         let known = solution.borrow();
         frame.check(known.panels.space)?;
         let scaling = known.problem.scaling;
-        let count = frame.size[0] * frame.size[1];
-        let section = Section {
-            size: frame.size,
-            values: vec![vec![f32::NAN; count]; known.materials()],
-            inside: 0,
-            clamped: 0,
-        };
+        let materials = vec![f32::NAN; frame.size[0] * frame.size[1]];
+        let section =
+            Section { size: frame.size, values: vec![materials; known.materials()], inside: 0, clamped: 0 };
         let step = |axis: usize| frame.sides[axis] * (scaling.scale() / frame.size[axis] as f64);
+        let side = frame.size[0].max(frame.size[1]).next_power_of_two().clamp(SMALLEST, LARGEST);
+        let sides = std::iter::successors(Some(SMALLEST), |side| Some(2 * side)).take_while(|s| *s <= side);
+        let count = known.fields.len() + 1;
         Ok(Self {
             origin: scaling.inwards(frame.origin),
             steps: [step(0), step(1)],
-            weights: std::array::from_fn(|pixel| weights(2.0 * (pixel as f64 + 0.5) / TILE as f64 - 1.0)),
-            tile: 0,
+            bounds: known.panels.bounds(),
+            weights: sides.map(Weights::new).collect(),
+            halves: halves(),
+            side,
+            next: 0,
+            all: Rc::new(Made { grids: Vec::new(), near: (0..known.panels.list.len() as u32).collect() }),
+            waiting: Vec::new(),
+            open: None,
+            done: 0,
+            scratch: Scratch {
+                sums: vec![[0.0; LANES]; count],
+                parts: vec![[0.0; LANES]; count],
+                values: Vec::with_capacity(known.materials()),
+            },
             solution,
             frame,
             section,
         })
     }
 
-    /// Makes tiles while `may_go_on` says so, at least one; returns whether all are made.
+    /// Makes pixels while `may_go_on` says so, at least some; returns whether all are made.
     pub fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> bool {
-        let count = self.tiles();
-        while self.tile < count {
-            self.make();
-            self.tile += 1;
+        loop {
+            if let Some(rows) = self.open.take() {
+                self.open = self.paint(rows);
+            } else if let Some(tile) = self.waiting.pop().or_else(|| self.first()) {
+                self.make(tile);
+            } else {
+                return true;
+            }
             if !may_go_on() {
-                break;
+                return false;
             }
         }
-        self.tile == count
     }
 
-    /// Share of the tiles that are made.
+    /// Share of the pixels that are made.
     #[must_use]
     pub fn progress(&self) -> f64 {
-        self.tile as f64 / self.tiles() as f64
+        self.done as f64 / (self.frame.size[0] * self.frame.size[1]) as f64
     }
 
     /// The section, once [`step`](Self::step) has returned true.
@@ -159,129 +234,140 @@ impl<S: Borrow<Solution>> SectionJob<S> {
         self.section
     }
 
-    fn tiles(&self) -> usize {
-        self.frame.size.iter().map(|count| count.div_ceil(TILE)).product()
+    /// The next of the largest tiles.
+    fn first(&mut self) -> Option<Tile> {
+        let [across, along] = self.frame.size.map(|count| count.div_ceil(self.side));
+        if self.next == across * along {
+            return None;
+        }
+        let corner = [self.next % across * self.side, self.next / across * self.side];
+        self.next += 1;
+        Some(Tile { corner, side: self.side, above: Rc::clone(&self.all), quarter: [0; 2] })
     }
 
-    fn make(&mut self) {
-        let solution: &Solution = self.solution.borrow();
-        let panels = &*solution.panels;
-        let across = self.frame.size[0].div_ceil(TILE);
-        let corner = [self.tile % across * TILE, self.tile / across * TILE];
-        let half = self.steps.map(|step| step * (TILE as f64 / 2.0));
+    /// Pixels of a tile that are in the frame, along both sides.
+    fn counts(&self, corner: [usize; 2], side: usize) -> [usize; 2] {
+        [0, 1].map(|axis| side.min(self.frame.size[axis].saturating_sub(corner[axis])))
+    }
+
+    /// Finds what panels away from a tile do at its places, and quarters it or opens its pixels.
+    fn make(&mut self, tile: Tile) {
+        let Tile { corner, side, above, quarter: [right, up] } = tile;
+        let counts = self.counts(corner, side);
+        let half = self.steps.map(|step| step * (side as f64 / 2.0));
         let middle = self.origin
             + self.steps[0] * corner[0] as f64
             + self.steps[1] * corner[1] as f64
             + half[0]
             + half[1];
-        let reach = (half[0] + half[1]).length().max((half[0] - half[1]).length());
-        let (low, high) = panels.bounds();
-        if (middle - middle.clamp(low, high)).length() > reach {
+        let radius = (half[0] + half[1]).length().max((half[0] - half[1]).length());
+        let (low, high) = self.bounds;
+        if (middle - middle.clamp(low, high)).length() > radius {
+            self.done += counts[0] * counts[1];
             return;
         }
-        let (near, masks) = self.parted(middle, APART * reach);
+        let solution: &Solution = self.solution.borrow();
+        let (mut near, mut away) = (Vec::new(), Vec::new());
+        for number in &above.near {
+            let panel = &solution.panels.list[*number as usize];
+            let distance = panel.centre.distance(middle);
+            let taken = reach(panel.diameter, distance - radius);
+            // No point of a panel is farther from its centre than two thirds of its longest side.
+            if distance - panel.diameter / 1.5 <= APART * radius {
+                near.push((*number, taken));
+            } else {
+                away.push((*number, taken));
+            }
+        }
         let fields = solution.fields.len();
-        // Sums of each material, and the share of the full angle as the last one.
-        let mut nodes = vec![[[0.0; NODES]; NODES]; fields + 1];
-        let mut sums = vec![0.0; fields];
-        let mut values = Values::default();
+        let inherited = |grid: &Grid| quarter(grid, &self.halves[right], &self.halves[up]);
+        let mut grids: Vec<Grid> = above.grids.iter().map(inherited).collect();
+        grids.resize(fields + 1, [[0.0; NODES]; NODES]);
         for row in 0..NODES {
-            for column in 0..NODES {
-                let x = middle + half[0] * place(column) + half[1] * place(row);
-                sums.fill(0.0);
-                let mut winding = 0.0;
-                for (cluster, mask) in panels.clusters.iter().zip(&masks) {
-                    if *mask == u32::MAX {
-                        continue;
-                    }
-                    panels.layers(cluster, x, &mut values);
-                    if *mask != 0 {
-                        for slot in (0..u32::BITS as usize).filter(|slot| mask >> slot & 1 == 1) {
-                            values.single[slot] = 0.0;
-                            values.double[slot] = 0.0;
-                        }
-                    }
-                    winding += solution.add(&values, cluster.slots.start, &mut sums);
-                }
-                for (node, sum) in nodes.iter_mut().zip(sums.iter().chain([&winding])) {
-                    node[row][column] = *sum;
-                }
-            }
+            let points = Points::new(|column| middle + half[0] * place(column) + half[1] * place(row));
+            self.scratch.sums.iter_mut().zip(&grids).for_each(|(sum, grid)| *sum = grid[row]);
+            self.scratch.add(solution, &away, &points);
+            self.scratch.sums.iter().zip(&mut grids).for_each(|(sum, grid)| grid[row] = *sum);
         }
-        let counts = [0, 1].map(|axis| TILE.min(self.frame.size[axis] - corner[axis]));
-        for j in 0..counts[1] {
-            // The places of the row of pixels, first between the rows of nodes.
-            let rows: Vec<[f64; NODES]> = nodes.iter().map(|node| between(node, &self.weights[j])).collect();
-            for i in 0..counts[0] {
-                let mut found: Vec<f64> = rows.iter().map(|row| product(row, &self.weights[i])).collect();
-                let at = [corner[0] + i, corner[1] + j];
-                let x =
-                    self.origin + self.steps[0] * (at[0] as f64 + 0.5) + self.steps[1] * (at[1] as f64 + 0.5);
-                for (number, panel) in &near {
-                    let layers = panels.space.layers(panel, x);
-                    for (sum, field) in found.iter_mut().zip(&solution.fields) {
-                        *sum += layers.single * field.flux(*number) + layers.double * field.value(*number);
-                    }
-                    found[fields] += layers.double;
+        if near.is_empty() && grids[fields][0][0] < 0.5 {
+            // All of it is outside.
+            self.done += counts[0] * counts[1];
+        } else if side > SMALLEST && near.len() * side * side > MANY {
+            let above = Rc::new(Made { grids, near: near.into_iter().map(|(number, _)| number).collect() });
+            let half = side / 2;
+            for quarter in [[1, 1], [0, 1], [1, 0], [0, 0]] {
+                let corner = [corner[0] + quarter[0] * half, corner[1] + quarter[1] * half];
+                if self.counts(corner, half).iter().all(|count| *count > 0) {
+                    self.waiting.push(Tile { corner, side: half, above: Rc::clone(&above), quarter });
                 }
-                if found[fields] <= INSIDE {
-                    continue;
-                }
-                let value = solution.shown(found[fields], &found[..fields]);
-                let pixel = at[1] * self.frame.size[0] + at[0];
-                for (list, value) in self.section.values.iter_mut().zip(&value.values) {
-                    list[pixel] = *value as f32;
-                }
-                self.section.inside += 1;
-                self.section.clamped += usize::from(value.is_clamped);
             }
+        } else {
+            self.open = Some(Rows { corner, side, grids, near, row: 0 });
         }
     }
 
-    /// The panels near to a tile, and for each cluster which of its slots they are in, by bits.
-    fn parted(&self, middle: DVec3, reach: f64) -> (Vec<(usize, Panel)>, Vec<u32>) {
-        let panels = &*self.solution.borrow().panels;
-        let mut near = Vec::new();
-        let mut masks = Vec::with_capacity(panels.clusters.len());
-        for cluster in &panels.clusters {
-            let mut mask = 0;
-            if !cluster.is_beyond(middle, reach) {
-                for (slot, number) in panels.order[cluster.slots.clone()].iter().enumerate() {
-                    let Some(panel) = panels.list.get(*number as usize) else {
-                        debug_assert_eq!(*number, NOBODY);
-                        mask |= 1_u32 << slot;
+    /// Makes some rows of pixels; returns the tile where it has more.
+    fn paint(&mut self, mut rows: Rows) -> Option<Rows> {
+        let solution: &Solution = self.solution.borrow();
+        let fields = solution.fields.len();
+        let [across, along] = self.counts(rows.corner, rows.side);
+        let Some(weights) = self.weights.get((rows.side / SMALLEST).ilog2() as usize) else { return None };
+        let some = (BATCH / (across * (rows.near.len() + SMALLEST))).max(1);
+        let end = (rows.row + some).min(along);
+        let mut numbers = vec![[0.0; NODES]; fields + 1];
+        for row in rows.row..end {
+            let y = rows.corner[1] + row;
+            numbers.iter_mut().zip(&rows.grids).for_each(|(own, grid)| *own = weights.row(grid, row));
+            for first in (0..across).step_by(LANES) {
+                let x = rows.corner[0] + first;
+                let sums = &mut self.scratch.sums;
+                sums.iter_mut().zip(&numbers).for_each(|(sum, row)| *sum = weights.pixels(row, first));
+                let start = self.origin + self.steps[1] * (y as f64 + 0.5);
+                let points = Points::new(|lane| start + self.steps[0] * ((x + lane) as f64 + 0.5));
+                self.scratch.add(solution, &rows.near, &points);
+                for lane in 0..LANES.min(across - first) {
+                    let winding = self.scratch.sums[fields][lane];
+                    if winding <= INSIDE {
                         continue;
-                    };
-                    // No point of a panel is farther from its centre than two thirds of its longest side.
-                    if panel.centre.distance(middle) - panel.diameter / 1.5 <= reach {
-                        mask |= 1_u32 << slot;
-                        near.push((*number as usize, *panel));
                     }
+                    let sums = self.scratch.sums[..fields].iter().map(|sum| sum[lane]);
+                    let is_clamped = solution.show(winding, sums, &mut self.scratch.values);
+                    let pixel = y * self.frame.size[0] + x + lane;
+                    for (list, value) in self.section.values.iter_mut().zip(&self.scratch.values) {
+                        list[pixel] = *value as f32;
+                    }
+                    self.section.inside += 1;
+                    self.section.clamped += usize::from(is_clamped);
                 }
             }
-            masks.push(mask);
         }
-        (near, masks)
+        self.done += (end - rows.row) * across;
+        rows.row = end;
+        (end < along).then_some(rows)
     }
 }
 
-/// A place of Chebyshev's in [-1, 1].
-fn place(number: usize) -> f64 {
-    -(PI * (number as f64 + 0.5) / NODES as f64).cos()
-}
-
-/// Lagrange's polynomials of these places at x.
-fn weights(x: f64) -> [f64; NODES] {
-    std::array::from_fn(|own| {
-        let factor = |other: usize| (x - place(other)) / (place(own) - place(other));
-        (0..NODES).filter(|other| *other != own).map(factor).product()
-    })
-}
-
-fn product(a: &[f64; NODES], b: &[f64; NODES]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn between(rows: &[[f64; NODES]; NODES], weights: &[f64; NODES]) -> [f64; NODES] {
-    std::array::from_fn(|column| (0..NODES).map(|row| rows[row][column] * weights[row]).sum())
+impl Scratch {
+    /// Adds what panels do at points to the sums.
+    fn add(&mut self, solution: &Solution, list: &[(u32, Reach)], points: &Points) {
+        let panels = &*solution.panels;
+        for some in list.chunks(FLUSHED) {
+            self.parts.fill([0.0; LANES]);
+            for (number, taken) in some {
+                let number = *number as usize;
+                let lanes = layers(panels.space, &panels.list[number], *taken, points);
+                let [fields @ .., winding] = &mut self.parts[..] else { return };
+                for (part, field) in fields.iter_mut().zip(&solution.fields) {
+                    let (value, flux) = (field.value(number) as f32, field.flux(number) as f32);
+                    for l in 0..LANES {
+                        part[l] += lanes.single[l] * flux + lanes.double[l] * value;
+                    }
+                }
+                winding.iter_mut().zip(&lanes.double).for_each(|(sum, double)| *sum += double);
+            }
+            for (sum, part) in self.sums.iter_mut().zip(&self.parts) {
+                sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += f64::from(*part));
+            }
+        }
+    }
 }

@@ -7,9 +7,6 @@ use super::panel::{LayerGradients, Layers, Panel};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Height above the line, over the length, that counts as none.
-const IN_LINE: f64 = 1e-14;
-
 struct Seen {
     /// Direction of the segment.
     along: DVec3,
@@ -26,7 +23,7 @@ fn seen(panel: &Panel, x: DVec3) -> Seen {
     let along = (b - a) / panel.size;
     let (from, to) = (a - x, b - x);
     let height = from.dot(panel.normal);
-    let is_in_line = height.abs() <= IN_LINE * panel.size;
+    let is_in_line = height.abs() <= panel.rounding();
     // The cross product is that of the ends as seen from the point, which is positive from inside.
     let angle =
         if is_in_line { 0.0 } else { (from.x * to.y - from.y * to.x).atan2(from.x * to.x + from.y * to.y) };

@@ -187,7 +187,11 @@ impl Solution {
     pub fn at(&self, point: DVec3) -> Option<Value> {
         let mut sums = vec![0.0; self.fields.len()];
         let winding = self.sums(self.problem.scaling.inwards(point), &mut sums);
-        (winding > INSIDE).then(|| self.shown(winding, &sums))
+        (winding > INSIDE).then(|| {
+            let mut values = Vec::with_capacity(self.materials());
+            let is_clamped = self.show(winding, sums, &mut values);
+            Value { values, is_clamped }
+        })
     }
 
     /// The gradient of each material at a point inside; on the boundary that just inside, `None` outside.
@@ -260,14 +264,19 @@ impl Solution {
         values.double_sum()
     }
 
-    /// The values from sums and the share of the full angle.
+    /// The values from sums and the share of the full angle; returns whether one was out of its range.
     ///
     /// Green's identity holds for the solution less its value at the point as well, which takes the error of the angle out: the value is the sum over the
     /// share. On the boundary itself the same holds with the part of the angle that is inside.
-    pub(super) fn shown(&self, winding: f64, sums: &[f64]) -> Value {
+    pub(super) fn show(
+        &self,
+        winding: f64,
+        sums: impl IntoIterator<Item = f64>,
+        values: &mut Vec<f64>,
+    ) -> bool {
         let mut is_clamped = false;
-        let mut values: Vec<f64> = Vec::with_capacity(self.materials());
-        for (sum, field) in sums.iter().zip(&self.fields) {
+        values.clear();
+        for (sum, field) in sums.into_iter().zip(&self.fields) {
             let value = sum / winding + field.shift;
             let shown = field.range.map_or(value, |[low, high]| value.clamp(low, high));
             // What rounding does is not counted.
@@ -282,7 +291,7 @@ impl Solution {
             }
             values.push((1.0 - values.iter().sum::<f64>()).max(0.0));
         }
-        Value { values, is_clamped }
+        is_clamped
     }
 }
 

@@ -7,9 +7,6 @@ use super::panel::{LayerGradients, Layers, Panel};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Height above the plane, over the diameter, that counts as none.
-const IN_PLANE: f64 = 1e-14;
-
 /// A side as seen from a point.
 struct Side {
     /// Its direction.
@@ -45,7 +42,7 @@ fn seen(panel: &Panel, x: DVec3) -> Seen {
     let r = panel.corners.map(|corner| corner - x);
     let far = r.map(|r| r.length());
     let height = r[0].dot(panel.normal);
-    let is_in_plane = height.abs() <= IN_PLANE * panel.diameter;
+    let is_in_plane = height.abs() <= panel.rounding();
     let angle = if is_in_plane {
         0.0
     } else {

@@ -1,6 +1,7 @@
 //! Errors against solutions that are known, and how they fall.
 
 use super::*;
+use crate::laplace::cluster::Panels;
 use crate::laplace::samples;
 use glam::DVec3;
 
@@ -98,6 +99,23 @@ fn the_annulus_on_the_unit_circle_is_found_in_spite_of_the_degenerate_scale() {
         let error =
             places.iter().map(|p| (value(&solution, *p * scale) - exact(*p)).abs()).fold(0.0, f64::max);
         assert!(error <= 2e-3, "{error} at the scale {scale}, values alone");
+    }
+}
+
+#[test]
+fn fine_boundaries_lose_nothing_by_rounding() {
+    // The middles of short segments far from the origin are off their lines by more than a small share of their length.
+    for count in [900, 3000] {
+        let mesh = samples::annulus(0.4, 1.0, count);
+        let panels = Panels::new(mesh.space(), mesh.panels());
+        for panel in &panels.list {
+            assert_eq!(panels.space.layers(panel, panel.centre).double, 0.0);
+        }
+    }
+    let ring = solved(samples::annulus(0.4, 1.0, 900), |panel| Ok(panel.centre.length().ln()));
+    assert!(ring.row_closure() < 1e-3, "{}", ring.row_closure());
+    for p in [DVec3::X * 0.7, DVec3::Y * -0.45] {
+        assert!((value(&ring, p) - p.length().ln()).abs() < 1e-4);
     }
 }
 

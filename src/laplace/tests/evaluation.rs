@@ -137,6 +137,71 @@ fn sections_are_what_points_say() {
     }
 }
 
+/// The value at a point by exact integrals over all panels in double precision, and the share of the full angle.
+fn summed(solution: &Solution, p: DVec3) -> (f64, f64) {
+    let scaling = solution.problem().mesh().scaling();
+    let x = scaling.inwards(p);
+    let (values, fluxes) = (&solution.values()[0], &solution.fluxes()[0]);
+    let (mut sum, mut winding) = (0.0, 0.0);
+    for (number, panel) in solution.panels.list.iter().enumerate() {
+        let layers = solution.panels.space.layers(panel, x);
+        sum += layers.single * fluxes[number] / scaling.scale() + layers.double * values[number];
+        winding += layers.double;
+    }
+    let value = sum / winding;
+    let clamped = solution.ranges()[0].map_or(value, |[low, high]| value.clamp(low, high));
+    (clamped, winding)
+}
+
+#[test]
+fn sections_are_the_exact_integrals_to_a_part_in_a_hundred_thousand() {
+    let frame = |origin: [f64; 3], u: DVec3, v: DVec3, size| Frame {
+        origin: DVec3::from_array(origin),
+        sides: [u, v],
+        size,
+    };
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    let wave = |panel: &Panel| Ok(panel.centre.x * panel.centre.y + panel.centre.y);
+    let mixed = |panel: &Panel| if panel.normal.z.abs() > 0.5 { faces(panel) } else { Err(0.0) };
+    let annulus = frame([-1.05, -1.05, 0.0], 2.1 * x, 2.1 * y, [97, 97]);
+    let cases = [
+        ("annulus", solved(samples::annulus(0.4, 1.0, 120), wave), annulus),
+        // More panels than pixels, and a boundary hardly longer than a pixel.
+        ("fine annulus", solved(samples::annulus(0.4, 1.0, 900), wave), annulus),
+        (
+            "beside the inner circle",
+            solved(samples::annulus(0.4, 1.0, 120), wave),
+            frame([0.39, -0.02, 0.0], 0.04 * x, 0.04 * y, [64, 64]),
+        ),
+        ("square of four segments", solved(samples::square(1), wave), frame([0.0; 3], x, y, [64, 64])),
+        ("cube", cube(6), frame([0.0, 0.45, 0.0], x, z, [80, 80])),
+        ("aslant", solved(samples::cube(5), mixed), frame([0.0; 3], x + y, z + 0.2 * x, [60, 60])),
+        (
+            "beside the strip of slivers",
+            solved(samples::sliver_cube(4, 1e-3), faces),
+            frame([-0.01, 0.3, 0.45], 0.2 * x, 0.2 * z, [64, 64]),
+        ),
+    ];
+    for (name, solution, frame) in cases {
+        let section = SectionJob::new(&solution, frame).unwrap().run();
+        let mut worst: f64 = 0.0;
+        let mut inside = 0;
+        for (pixel, shown) in section.values[0].iter().enumerate() {
+            let at = |axis: usize, k: usize| (k as f64 + 0.5) / frame.size[axis] as f64;
+            let [i, j] = [pixel % frame.size[0], pixel / frame.size[0]];
+            let p = frame.origin + frame.sides[0] * at(0, i) + frame.sides[1] * at(1, j);
+            let (value, winding) = summed(&solution, p);
+            assert_eq!(shown.is_nan(), winding < 0.06, "{name} at {p}: {shown}, {winding}");
+            if !shown.is_nan() {
+                worst = worst.max((f64::from(*shown) - value).abs());
+                inside += 1;
+            }
+        }
+        let [low, high] = solution.ranges()[0].unwrap();
+        assert!(worst < 1e-5 * (high - low) && inside > 1000, "{name}: {worst} on {inside} pixels");
+    }
+}
+
 #[test]
 fn a_section_needs_pixels_in_a_plane() {
     let solution = cube(2);
