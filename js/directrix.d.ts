@@ -816,7 +816,7 @@ export interface LaplaceSolver {
   maxIterations?: number;
   /** Whether the condition number is estimated, up to 2000 elements. Default false. */
   condition?: boolean;
-  /** Most elements whose matrix is kept, 0 to 8000; of more it is recomputed in every product. Default 8000. */
+  /** Most elements whose matrix is kept, 0 to 8000; of more what is nearby is kept, and clusters far away are expanded in every product. Default 8000. */
   dense?: number;
 }
 

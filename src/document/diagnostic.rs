@@ -386,7 +386,11 @@ impl fmt::Display for Diagnostic {
             }
             #[cfg(feature = "harmonic")]
             Self::NoOuter { curves, at } => {
-                write!(f, "{} lie in no other curve; expected one curve that contains all others: see", Curves(curves))?;
+                write!(
+                    f,
+                    "{} lie in no other curve; expected one curve that contains all others: see",
+                    Curves(curves)
+                )?;
                 near(f, at)
             }
             #[cfg(feature = "harmonic")]
@@ -408,7 +412,10 @@ impl fmt::Display for Diagnostic {
             }
             #[cfg(feature = "harmonic")]
             Self::LostLines { count } => {
-                write!(f, "{count} lines along the gradient did not come to the outer curve; take more segments")
+                write!(
+                    f,
+                    "{count} lines along the gradient did not come to the outer curve; take more segments"
+                )
             }
             #[cfg(feature = "harmonic")]
             Self::NoRuledBlend => write!(

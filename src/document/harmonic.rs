@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 1e-3;
 const COARSE_TOLERANCE: f64 = 6e-3;
 const COARSE_SEGMENTS: usize = 80;
 /// Most segments of all curves together, about: beyond, a single level curve would take longer than a frame.
-const MOST_SEGMENTS: usize = 4000;
+const MOST_SEGMENTS: usize = 3200;
 
 /// The harmonic blend of a document.
 #[derive(Debug, Clone)]
@@ -46,6 +46,15 @@ impl Difference {
     }
 }
 
+/// A solved harmonic blend with fewer triangles, for a file whose size they decide; `None` of other documents, and where a difference belongs to the
+/// triangles.
+#[must_use]
+pub fn lightened(solution: &Solution) -> Option<Solution> {
+    let harmonic = solution.harmonic().filter(|harmonic| harmonic.difference.is_none())?;
+    let light = Harmonic { blend: harmonic.blend.lightened(COARSE_TOLERANCE), difference: None };
+    Some(Solution { outcome: Outcome::Harmonic(Box::new(light)), ..solution.clone() })
+}
+
 /// A harmonic blend of a document being made.
 #[derive(Debug)]
 pub(super) struct HarmonicJob {
@@ -53,6 +62,8 @@ pub(super) struct HarmonicJob {
     /// Curves to look at by themselves and in pairs: what is left of these questions.
     checks: IntoIter<(usize, usize)>,
     work: Option<HarmonicWork>,
+    /// Share of the work that is done, as said last: it never falls.
+    reached: f64,
 }
 
 impl HarmonicJob {
@@ -60,16 +71,23 @@ impl HarmonicJob {
         let count = model.curves().len();
         let pairs = (1..count).flat_map(|j| (0..j).map(move |i| (i, j)));
         let checks: Vec<(usize, usize)> = (0..count).map(|k| (k, k)).chain(pairs).collect();
-        Self { is_coarse, checks: checks.into_iter(), work: None }
+        Self { is_coarse, checks: checks.into_iter(), work: None, reached: 0.0 }
     }
 
     /// Share of the work that is done.
     pub(super) fn progress(&self) -> f64 {
-        self.work.as_ref().map_or(0.0, |work| 0.05 + 0.95 * work.progress())
+        self.reached
     }
 
     /// Advances while `may_go_on` says so, at least by a little.
     pub(super) fn step(&mut self, model: &Model, may_go_on: &mut dyn FnMut() -> bool) -> Option<Ready> {
+        let ready = self.advance(model, may_go_on);
+        let share = self.work.as_ref().map_or(0.0, |work| 0.05 + 0.95 * work.progress());
+        self.reached = self.reached.max(share);
+        ready
+    }
+
+    fn advance(&mut self, model: &Model, may_go_on: &mut dyn FnMut() -> bool) -> Option<Ready> {
         let without = |diagnostic: Diagnostic| {
             let mut diagnostics = curve_remarks(model);
             diagnostics.push(diagnostic);
@@ -145,10 +163,8 @@ fn begin(model: &Model, is_coarse: bool) -> Result<HarmonicWork, Diagnostic> {
         tolerance: if is_coarse { COARSE_TOLERANCE } else { TOLERANCE },
     };
     let compose = |curve: usize, u: f64| model.composition(curve, u);
-    HarmonicWork::new(model.curves().to_vec(), outer, &compose, fineness).map_err(|error| Diagnostic::NoField {
-        reason: error.message,
-        at: error.at.map(|at| at.truncate()),
-    })
+    HarmonicWork::new(model.curves().to_vec(), outer, &compose, fineness)
+        .map_err(|error| Diagnostic::NoField { reason: error.message, at: error.at.map(|at| at.truncate()) })
 }
 
 /// For each curve the numbers of those that it lies in.
@@ -222,7 +238,11 @@ impl Comparing {
     #[must_use]
     pub fn progress(&self, blend: &HarmonicBlend) -> f64 {
         let count = blend.field().points.len().max(1);
-        let share = if self.band.is_some() { 0.5 + 0.5 * self.next as f64 / count as f64 } else { 0.5 * self.ruled.progress() };
+        let share = if self.band.is_some() {
+            0.5 + 0.5 * self.next as f64 / count as f64
+        } else {
+            0.5 * self.ruled.progress()
+        };
         share.min(0.999)
     }
 

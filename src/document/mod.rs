@@ -61,7 +61,7 @@ pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
 #[cfg(feature = "harmonic")]
-pub use harmonic::{Comparing, Difference, Harmonic};
+pub use harmonic::{Comparing, Difference, Harmonic, lightened};
 #[cfg(feature = "hyperpatch")]
 pub use hyperpatch::{
     Action, CellSpec, FaceSpec, HyperpatchDocument, HyperpatchHead, HyperpatchKind, HyperpatchModel,

@@ -5,9 +5,9 @@
 //! constants are solutions to rounding. Rows of panels whose value is unknown have the opposite sign, so that the diagonal is positive.
 
 use super::cloud::Values;
-use super::cluster::{NOBODY, Panels, Reach, SLOTS};
+use super::cluster::{NOBODY, Panels, SLOTS};
 use super::error::{Fault, LaplaceError};
-use super::matrix::{MOST_DENSE, Matrix, Near, Off};
+use super::matrix::{Keeping, MOST_DENSE, Matrix, Near, Off};
 use std::rc::Rc;
 
 /// How far the sum of a row may be from 1/2: beyond, the boundary meets itself there.
@@ -104,6 +104,13 @@ impl Assembly {
     pub(super) fn step(&mut self, may_go_on: &mut dyn FnMut() -> bool) -> Result<bool, LaplaceError> {
         let n = self.panels.list.len();
         let batch = ((1 << 16) / n.max(1)).max(1);
+        while let Off::Near(near) = &mut self.matrix.off
+            && near.expand()
+        {
+            if !may_go_on() {
+                return Ok(false);
+            }
+        }
         while self.row < n {
             for _ in 0..batch.min(n - self.row) {
                 self.make_row()?;
@@ -135,6 +142,7 @@ impl Assembly {
         let mut values = Values::default();
         let mut whole = 0.0;
         let mut sums = vec![0.0; self.sides.len()];
+        let mut kept = Keeping::default();
         for (number, cluster) in panels.clusters.iter().enumerate() {
             let reach = panels.layers(cluster, own.centre, &mut values);
             let slots = cluster.slots.clone();
@@ -167,16 +175,16 @@ impl Assembly {
                         }
                     }
                 }
-                Off::Near(near) if reach == Reach::Near => {
+                Off::Near(near) if near.keeps(row, cluster, reach) => {
                     if let Some(slot) = members.iter().position(|member| *member == row as u32) {
                         entries[slot] = 0.0;
                     }
-                    near.push(number, &entries);
+                    kept.add(number, &entries);
                 }
                 Off::Near(_) => {}
             }
         }
-        // Products that are recomputed add the mean as a whole.
+        // Products without a whole matrix add the mean by themselves.
         let mut mean_here = 0.0;
         match &mut self.matrix.off {
             Off::Dense(dense) => {
@@ -187,7 +195,7 @@ impl Assembly {
                 }
                 dense[row] = 0.0;
             }
-            Off::Near(near) => near.end_row(),
+            Off::Near(near) => near.push(kept).map_err(|error| error.of(row).at(own.centre))?,
         }
         if (whole - 0.5).abs() > CLOSED {
             let message = "the boundary meets itself at this element, or the element lies outside of the body; expected a boundary that does not";

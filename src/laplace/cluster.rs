@@ -24,9 +24,9 @@ pub(super) struct Cluster {
     pub(super) slots: Range<usize>,
     pub(super) centre: DVec3,
     /// All of them are within this distance of the centre.
-    radius: f64,
+    pub(super) radius: f64,
     /// Of the largest panel.
-    diameter: f64,
+    pub(super) diameter: f64,
 }
 
 /// How panels are taken at a point.

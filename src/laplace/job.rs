@@ -235,10 +235,8 @@ impl LaplaceJob {
     fn next(&mut self) -> Work {
         let Some(equations) = &self.equations else { return Work::Done };
         let Some(lu) = &self.lu else {
-            if let Some(lu) = Lu::new(&equations.matrix).filter(|_| self.needs_lu()) {
-                return Work::Eliminating(lu);
-            }
-            return self.iterate();
+            let lu = if self.needs_lu() { Lu::new(&equations.matrix) } else { None };
+            return lu.map_or_else(|| self.iterate(), Work::Eliminating);
         };
         if self.options.with_condition && self.condition.is_none() {
             return Work::Estimating(Estimate::new(lu));

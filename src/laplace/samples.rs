@@ -224,8 +224,8 @@ pub fn cylinder(m: usize) -> Mesh {
     quads.mesh()
 }
 
-/// The piece between two volumes that a material fillet joins: a block 2 by 1 by 1 about the origin whose ends along x are spherical surfaces, hollow to the
-/// left, bulging to the right, `m` steps along each short edge.
+/// The piece between two volumes that a material fillet joins: a block 2 by 1 by 1 about the origin whose ends along x are paraboloids, moved by
+/// 0.3 (1 - 2 (y^2 + z^2)), so that the left one is hollow and the right one bulges; `m` steps along each short edge.
 #[must_use]
 pub fn fillet_block(m: usize) -> Mesh {
     let m = m.max(1);

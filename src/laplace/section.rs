@@ -311,7 +311,7 @@ impl<S: Borrow<Solution>> SectionJob<S> {
         let solution: &Solution = self.solution.borrow();
         let fields = solution.fields.len();
         let [across, along] = self.counts(rows.corner, rows.side);
-        let Some(weights) = self.weights.get((rows.side / SMALLEST).ilog2() as usize) else { return None };
+        let weights = self.weights.get((rows.side / SMALLEST).ilog2() as usize)?;
         let some = (BATCH / (across * (rows.near.len() + SMALLEST))).max(1);
         let end = (rows.row + some).min(along);
         let mut numbers = vec![[0.0; NODES]; fields + 1];
@@ -359,8 +359,10 @@ impl Scratch {
                 let [fields @ .., winding] = &mut self.parts[..] else { return };
                 for (part, field) in fields.iter_mut().zip(&solution.fields) {
                     let (value, flux) = (field.value(number) as f32, field.flux(number) as f32);
-                    for l in 0..LANES {
-                        part[l] += lanes.single[l] * flux + lanes.double[l] * value;
+                    for (part, (single, double)) in
+                        part.iter_mut().zip(lanes.single.iter().zip(&lanes.double))
+                    {
+                        *part += single * flux + double * value;
                     }
                 }
                 winding.iter_mut().zip(&lanes.double).for_each(|(sum, double)| *sum += double);

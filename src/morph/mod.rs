@@ -21,8 +21,8 @@ pub use band::{Band, Ruling};
 pub use cell::{UnitCell, unit_cells};
 #[cfg(feature = "harmonic")]
 pub use harmonic::{
-    Compose, Field, Fineness as HarmonicFineness, GradientLine, HarmonicBlend, HarmonicPlace, HarmonicWork, Ring, Rings,
-    crossings,
+    Compose, Field, Fineness as HarmonicFineness, GradientLine, HarmonicBlend, HarmonicPlace, HarmonicWork,
+    Ring, Rings, crossings,
 };
 pub use iso::IsoLine;
 pub use locate::Place;

@@ -397,7 +397,9 @@ pub(super) fn meeting(diagnostic: &Diagnostic) -> Option<DVec2> {
         Diagnostic::Crossing { at } => Some(*at),
         Diagnostic::CoarseSampling { at } => *at,
         #[cfg(feature = "harmonic")]
-        Diagnostic::CurvesMeet { at, .. } | Diagnostic::NoOuter { at, .. } | Diagnostic::Nested { at, .. } => Some(*at),
+        Diagnostic::CurvesMeet { at, .. }
+        | Diagnostic::NoOuter { at, .. }
+        | Diagnostic::Nested { at, .. } => Some(*at),
         #[cfg(feature = "harmonic")]
         Diagnostic::NoField { at, .. } => *at,
         _ => None,

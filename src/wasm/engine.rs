@@ -117,7 +117,7 @@ impl Engine {
 
     /// The picture, to be painted in steps.
     pub fn painting(&mut self, text: &str, coarse: bool, options: &str) -> Result<Painting, JsValue> {
-        let (_, viewport, list) = self.picture(text, coarse, options)?;
+        let (_, viewport, list) = self.picture(text, coarse, false, options)?;
         let strips = picture::Painting::new(&list, &viewport).map_err(|e| refused_picture(&e.to_string()))?;
         Ok(Painting::new(strips, viewport))
     }
@@ -138,10 +138,12 @@ impl Engine {
 }
 
 impl Engine {
+    /// What a picture shows; `light` where the number of its triangles decides the size of a file.
     pub(super) fn picture(
         &mut self,
         text: &str,
         coarse: bool,
+        light: bool,
         options: &str,
     ) -> Result<(Rc<Solution>, Viewport, DisplayList), JsValue> {
         let options =
@@ -157,6 +159,11 @@ impl Engine {
             solution
         };
         options.check(&solution.model).map_err(|e| to_js(&e))?;
+        #[cfg(feature = "harmonic")]
+        let solution =
+            if light { document::lightened(&solution).map_or(solution, Rc::new) } else { solution };
+        #[cfg(not(feature = "harmonic"))]
+        let _ = light;
         let viewport = options.viewport(&solution.model);
         let list = figure(&solution, &options.figure(&solution.model), &viewport);
         Ok((solution, viewport, list))

@@ -124,3 +124,74 @@ test("a body follows its operations over the worker, and a call that is given up
     assert.ok(ranges > 0 && /no cell 99/.test(reason));
   });
 });
+
+/** A ring between two circles of so many segments each, with the values 0 outside and 1 inside. @param {number} count */
+function ring(count) {
+  const points = [1, 0.4].flatMap((radius, k) =>
+    Array.from({ length: count }, (_, n) => [radius * Math.cos((2 * Math.PI * n) / count), (k ? -radius : radius) * Math.sin((2 * Math.PI * n) / count)]),
+  );
+  return {
+    dimension: 2,
+    vertices: points.flat(),
+    elements: points.flatMap((_, n) => [n, n - (n % count) + ((n + 1) % count)]),
+    conditions: [{ value: 0 }, { value: 1 }],
+    groups: points.map((_, n) => Number(n >= count)),
+  };
+}
+
+test("boundary elements are solved by the worker, given up, and solved again after it was restarted", async () => {
+  await withPage(browser, { allow: /favicon|404/ }, async (page) => {
+    await page.goto(`${served.url}index.js`);
+    const found = await page.evaluate(
+      async ([address, small, large]) => {
+        // The module is replaced by one that traps at a call, by way of the worker's own messages.
+        let traps = false;
+        const Real = Worker;
+        globalThis.Worker = class extends Real {
+          /** @param {any} message @param {any} rest */
+          postMessage(message, rest = []) {
+            if (!traps || message.type !== "call") return super.postMessage(message, rest);
+            traps = false;
+            const error = { code: "trap", path: "", message: "unreachable" };
+            this.onmessage?.(new MessageEvent("message", { data: { type: "error", id: message.id, error } }));
+          }
+        };
+        const { connect } = await import(/** @type {string} */ (address));
+        const dx = await connect({ module: "full" });
+        const solution = await dx.solveLaplace(small);
+        const first = await solution.at([0.7, 0]);
+        const section = await solution.section({ longest: 64 });
+
+        /** @type {number[]} */
+        const shares = [];
+        const control = new AbortController();
+        const onprogress = (/** @type {number} */ share) => {
+          shares.push(share);
+          control.abort();
+        };
+        const outcome = await dx.solveLaplace(large, { signal: control.signal, onprogress }).catch((/** @type {Error} */ error) => error.name);
+        const after = await solution.at([0.7, 0]);
+
+        const restarted = new Promise((resolve) => (dx.onrestart = () => resolve(true)));
+        traps = true;
+        const stopped = await solution.at([0.7, 0]).catch((/** @type {any} */ error) => error.code);
+        const again = await solution.at([0.7, 0]);
+        const outside = await solution.at([0, 0]).catch((/** @type {any} */ error) => error.code);
+        const values = [first, after, again].map((answer) => answer.values[0]);
+        const hole = Number.isNaN(section.values[0][32 * 64 + 32]);
+        const found = { elements: solution.elements, values, size: section.size, inside: section.inside, hole, outcome, shares, stopped, outside };
+        const isRestarted = await restarted;
+        dx.close();
+        return { ...found, isRestarted };
+      },
+      /** @type {const} */ ([`${served.url}index.js`, ring(120), ring(2000)]),
+    );
+    const { values, inside, shares, ...rest } = found;
+    const expected = { elements: 240, size: [64, 64], hole: true, outcome: "AbortError", stopped: "trap", outside: "outside", isRestarted: true };
+    assert.deepEqual(rest, expected);
+    for (const value of values) assert.ok(Math.abs(value - Math.log(0.7) / Math.log(0.4)) < 1e-3, `${values}`);
+    // The ring fills this share of its box.
+    assert.ok(Math.abs(inside / 64 ** 2 - (Math.PI / 4) * (1 - 0.4 ** 2)) < 0.01, `${inside} pixels`);
+    assert.ok(shares.length > 0 && (shares.at(-1) ?? 1) < 1, `${shares}`);
+  });
+});

@@ -117,6 +117,9 @@ fn products_without_a_matrix_are_those_of_the_matrix() {
         (samples::cube(7), mixed),
         (samples::annulus(0.5, 1.0, 200), |panel: &Panel| Ok(panel.centre.x)),
         (samples::cube(5), |panel: &Panel| Err(panel.normal.x)),
+        (samples::cube(14), faces),
+        (samples::cube(14), mixed),
+        (samples::shell(0.5, 1.0, 3), faces),
     ] {
         let [dense, free] = [usize::MAX, 0].map(|most| equations(mesh.clone(), most, of));
         assert!(dense.matrix.row(0).is_some() && free.matrix.row(0).is_none());
@@ -128,7 +131,9 @@ fn products_without_a_matrix_are_those_of_the_matrix() {
             y
         });
         let difference: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a - b).collect();
-        assert!(norm(&difference) < 2e-6 * norm(&a), "{} of {}", norm(&difference), norm(&a));
+        // Clusters far away are expanded where there are enough of them.
+        let bound = if n > 2000 { 1e-5 } else { 2e-6 };
+        assert!(norm(&difference) < bound * norm(&a), "{} of {}", norm(&difference), norm(&a));
         assert!(dense.sides[0].iter().zip(&free.sides[0]).all(|(a, b)| (a - b).abs() < 1e-9));
     }
     let mesh = samples::cube(8);

@@ -10,8 +10,11 @@ use crate::material::Composition;
 use crate::morph::IsoLine;
 use glam::{DVec2, DVec3};
 
-/// Steps of Newton's method by which a point is brought to its level.
+/// Steps of Newton's method by which a point is brought to its level, and a difference from it after which the next step leaves none to speak of.
 const NEWTON: usize = 4;
+const CLOSE: f64 = 1e-4;
+/// Most points of a level curve, about.
+const MOST_POINTS: usize = 600;
 
 /// How fine a blend is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +28,9 @@ pub struct Fineness {
     /// Greatest difference of the potential and of every fraction from the solution, where it is shown linear on triangles.
     pub tolerance: f64,
 }
+
+/// Points that are brought to their level at a time.
+const AT_ONCE: usize = 64;
 
 /// What is known of a material without solving for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,18 +155,32 @@ impl HarmonicBlend {
         })
     }
 
+    /// The same blend shown on triangles that may be farther from the solution, for files that would be long.
+    #[must_use]
+    pub fn lightened(&self, tolerance: f64) -> Self {
+        let values = (0..self.rings.count()).flat_map(|k| self.field.at(k)).copied().collect();
+        let mut work = FieldWork::new(&self.rings, values, self.field.width, tolerance);
+        work.step(&|point| self.numbers(point), &mut || true);
+        Self { field: work.finish(), ..self.clone() }
+    }
+
     /// The closed curves on which the potential has a value above 0 and below 1, each point on it to rounding.
     #[must_use]
     pub fn level(&self, potential: f64) -> Vec<Vec<DVec2>> {
-        let loops = self.field.iter_lines_of_potential(potential);
+        let mut loops = self.loops(potential);
+        for points in &mut loops {
+            points.iter_mut().for_each(|point| *point = self.onto(*point, potential));
+        }
         loops
-            .map(|line| {
-                let points: Vec<DVec2> =
-                    line.points.iter().map(|point| self.onto(*point, potential)).collect();
-                thinned(points)
-            })
-            .filter(|points| points.len() > 2)
-            .collect()
+    }
+
+    /// The same on the triangles, thinned.
+    fn loops(&self, potential: f64) -> Vec<Vec<DVec2>> {
+        let lines: Vec<IsoLine> =
+            self.field.iso_lines(0, potential).into_iter().filter(|line| line.closed).collect();
+        let count: usize = lines.iter().map(|line| line.points.len()).sum();
+        let least = 0.25_f64.max(count as f64 / MOST_POINTS as f64 - 0.5);
+        lines.into_iter().map(|line| thinned(line.points, least)).filter(|points| points.len() > 2).collect()
     }
 
     /// Lines of equal fraction of a material.
@@ -176,15 +196,15 @@ impl HarmonicBlend {
     fn onto(&self, start: DVec2, potential: f64) -> DVec2 {
         let mut point = start;
         for _ in 0..NEWTON {
-            let Some(value) = self.solution.at(point.extend(0.0)) else { return start };
+            let Some(value) = self.solution.quantity_at(0, point.extend(0.0)) else { return start };
             let gradient = self.flow.gradient(point);
-            let miss = potential - value.values[0];
+            let miss = potential - value;
             let step = gradient * (miss / gradient.length_squared());
             if !step.is_finite() {
                 return start;
             }
             point += step;
-            if miss.abs() < 1e-6 {
+            if miss.abs() < CLOSE {
                 break;
             }
         }
@@ -197,17 +217,11 @@ impl HarmonicBlend {
     }
 }
 
-impl Field {
-    fn iter_lines_of_potential(&self, level: f64) -> impl Iterator<Item = IsoLine> {
-        self.iso_lines(0, level).into_iter().filter(|line| line.closed)
-    }
-}
-
-/// A closed line without points that are much nearer to the one before than most: the edges of triangles cut it unevenly.
-fn thinned(points: Vec<DVec2>) -> Vec<DVec2> {
+/// A closed line without points that are nearer to the one before than a share of what most are: the edges of triangles cut it unevenly.
+fn thinned(points: Vec<DVec2>, share: f64) -> Vec<DVec2> {
     let count = points.len();
     let length: f64 = (0..count).map(|k| points[k].distance(points[(k + 1) % count])).sum();
-    let least = 0.25 * length / count.max(1) as f64;
+    let least = share * length / count.max(1) as f64;
     let mut kept: Vec<DVec2> = Vec::with_capacity(count);
     for point in points {
         if kept.last().is_none_or(|last| last.distance(point) >= least) {
@@ -257,7 +271,7 @@ enum State {
     Solving(Box<LaplaceJob>),
     Spreading { solution: Box<Solution>, work: Box<FieldWork> },
     Following { blend: Box<HarmonicBlend>, starts: Vec<Start>, next: usize },
-    Levelling(Box<HarmonicBlend>),
+    Levelling { blend: Box<HarmonicBlend>, level: Option<Vec<Vec<DVec2>>>, ring: usize, next: usize },
     Over,
 }
 
@@ -298,8 +312,7 @@ impl HarmonicWork {
             };
             recipes.push(recipe);
         }
-        let conditions =
-            Conditions { is_value: vec![true; rings.count()], data, are_fractions: false };
+        let conditions = Conditions { is_value: vec![true; rings.count()], data, are_fractions: false };
         let problem = Problem::new(rings.mesh()?, conditions)?;
         let job = LaplaceJob::new(problem, LaplaceOptions::default())?;
         let state = State::Solving(Box::new(job));
@@ -313,7 +326,9 @@ impl HarmonicWork {
             State::Solving(job) => 0.3 * job.progress(),
             State::Spreading { work, .. } => 0.3 + 0.4 * work.progress(),
             State::Following { starts, next, .. } => 0.7 + 0.2 * *next as f64 / starts.len().max(1) as f64,
-            State::Levelling(blend) => 0.9 + 0.09 * blend.levels.len() as f64 / self.fineness.stages as f64,
+            State::Levelling { blend, .. } => {
+                0.9 + 0.09 * blend.levels.len() as f64 / self.fineness.stages as f64
+            }
             State::Over => 0.999,
         }
     }
@@ -333,8 +348,7 @@ impl HarmonicWork {
                         let values = std::mem::take(&mut self.at_vertices);
                         let width = 1 + self.recipes.len();
                         let work = FieldWork::new(&self.rings, values, width, self.fineness.tolerance);
-                        self.state =
-                            State::Spreading { solution: Box::new(solution), work: Box::new(work) };
+                        self.state = State::Spreading { solution: Box::new(solution), work: Box::new(work) };
                     }
                 }
                 State::Spreading { solution, work } => {
@@ -370,15 +384,32 @@ impl HarmonicWork {
                     let points: Vec<Vec<DVec2>> =
                         blend.lines.iter().map(|line| line.points.clone()).collect();
                     blend.crossings = crossings(&points);
-                    self.state = State::Levelling(blend);
+                    self.state = State::Levelling { blend, level: None, ring: 0, next: 0 };
                 }
-                State::Levelling(blend) => {
-                    let next = blend.levels.len() + 1;
-                    if next < self.fineness.stages {
-                        let level = blend.level(next as f64 / self.fineness.stages as f64);
-                        blend.levels.push(level);
-                    } else if let State::Levelling(blend) = std::mem::replace(&mut self.state, State::Over) {
-                        return Ok(Some(*blend));
+                State::Levelling { blend, level, ring, next } => {
+                    let number = blend.levels.len() + 1;
+                    let potential = number as f64 / self.fineness.stages as f64;
+                    match level {
+                        None if number < self.fineness.stages => *level = Some(blend.loops(potential)),
+                        None => {
+                            let over = std::mem::replace(&mut self.state, State::Over);
+                            let State::Levelling { blend, .. } = over else { return Ok(None) };
+                            return Ok(Some(*blend));
+                        }
+                        Some(loops) => match loops.get_mut(*ring) {
+                            Some(points) if *next < points.len() => {
+                                let until = points.len().min(*next + AT_ONCE);
+                                for point in &mut points[*next..until] {
+                                    *point = blend.onto(*point, potential);
+                                }
+                                *next = until;
+                            }
+                            Some(_) => (*ring, *next) = (*ring + 1, 0),
+                            None => {
+                                blend.levels.extend(level.take());
+                                (*ring, *next) = (0, 0);
+                            }
+                        },
                     }
                 }
                 State::Over => return Ok(None),
@@ -395,8 +426,7 @@ impl HarmonicWork {
             return State::Over;
         };
         let fluxes = first(solution.fluxes());
-        let lengths: Vec<f64> =
-            solution.problem().mesh().panels().iter().map(|panel| panel.size).collect();
+        let lengths: Vec<f64> = solution.problem().mesh().panels().iter().map(|panel| panel.size).collect();
         let starts = starts(&self.rings, &fluxes, &lengths, self.fineness.lines);
         let outer = self.rings.start(self.rings.outer());
         let own = outer..outer + self.rings.list()[self.rings.outer()].len();

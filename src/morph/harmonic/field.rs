@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Places of the finest squares along a side of the box.
-const LATTICE: u32 = 1 << 13;
+const LATTICE: u32 = 1 << 18;
 /// Side of the squares at the start, in places.
 const START: u32 = LATTICE / 4;
 /// Most vertices inside.
@@ -82,12 +82,14 @@ impl FieldWork {
     /// Begins with values of `width` numbers at the vertices of the rings.
     pub(super) fn new(rings: &Rings, values: Vec<f64>, width: usize, tolerance: f64) -> Self {
         let points = rings.points();
-        let bounds = Bounds::of(points.iter().copied()).unwrap_or(Bounds { min: DVec2::ZERO, max: DVec2::ONE });
+        let bounds =
+            Bounds::of(points.iter().copied()).unwrap_or(Bounds { min: DVec2::ZERO, max: DVec2::ONE });
         let side = (bounds.max - bounds.min).max_element() * 1.001;
         let place = |vertex: u32| points[vertex as usize];
         let ends: Vec<[DVec2; 2]> = rings.segments().iter().map(|ends| ends.map(place)).collect();
         let all: Rc<Vec<u32>> = Rc::new((0..ends.len() as u32).collect());
-        let starts = (0..LATTICE / START).flat_map(|row| (0..LATTICE / START).map(move |column| [column, row]));
+        let starts =
+            (0..LATTICE / START).flat_map(|row| (0..LATTICE / START).map(move |column| [column, row]));
         Self {
             rings: rings.clone(),
             ends,
@@ -141,7 +143,13 @@ impl FieldWork {
         let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
         // A segment that is nearest to some place of the square is not farther from its middle.
         let near: Rc<Vec<u32>> = Rc::new(
-            square.near.iter().zip(&distances).filter(|(_, d)| **d <= nearest + 2.0 * reach).map(|(k, _)| *k).collect(),
+            square
+                .near
+                .iter()
+                .zip(&distances)
+                .filter(|(_, d)| **d <= nearest + 2.0 * reach)
+                .map(|(k, _)| *k)
+                .collect(),
         );
         let own = square.near.iter().zip(&distances).min_by(|a, b| a.1.total_cmp(b.1));
         let length = own.map_or(0.0, |(&k, _)| self.ends[k as usize][0].distance(self.ends[k as usize][1]));

@@ -20,8 +20,15 @@ fn pure(outer: usize) -> impl Fn(usize, f64) -> Composition {
 
 const FINE: Fineness = Fineness { segments: 200, lines: 44, stages: 5, tolerance: 1e-3 };
 
+/// Enough for what holds at any fineness.
+const ROUGH: Fineness = Fineness { segments: 80, lines: 24, stages: 3, tolerance: 3e-3 };
+
 fn blend(curves: Vec<BSpline>, outer: usize, compose: &Compose<'_>) -> HarmonicBlend {
-    HarmonicWork::new(curves, outer, compose, FINE).expect("a boundary").run().expect("a solution")
+    made(curves, outer, compose, FINE)
+}
+
+fn made(curves: Vec<BSpline>, outer: usize, compose: &Compose<'_>, fineness: Fineness) -> HarmonicBlend {
+    HarmonicWork::new(curves, outer, compose, fineness).expect("a boundary").run().expect("a solution")
 }
 
 #[test]
@@ -52,9 +59,10 @@ fn between_concentric_circles_the_potential_is_a_logarithm() {
         let first = line.points[0].normalize();
         assert!(line.points.iter().all(|point| point.normalize().distance(first) < 2e-3));
     }
-    let gaps = found.lines().windows(2).map(|pair| {
-        pair[0].points[0].normalize().dot(pair[1].points[0].normalize()).acos() * 44.0 / TAU
-    });
+    let gaps = found
+        .lines()
+        .windows(2)
+        .map(|pair| pair[0].points[0].normalize().dot(pair[1].points[0].normalize()).acos() * 44.0 / TAU);
     assert!(gaps.into_iter().all(|gap| (gap - 1.0).abs() < 0.02));
     // The integral of ln r / ln 3 over the ring, and what is left of its area.
     let log = 3.0_f64.ln();
@@ -81,7 +89,8 @@ fn between_eccentric_circles_the_potential_is_that_of_two_poles() {
     assert!((found.flux() * (outer - inner) / TAU - 1.0).abs() < 1e-3);
     let mut worst: f64 = 0.0;
     for k in 0..400 {
-        let z = 1.97 * dvec2((f64::from(k) * 0.618).fract() * 2.0 - 1.0, (f64::from(k) * 0.414).fract() * 2.0 - 1.0);
+        let z = 1.97
+            * dvec2((f64::from(k) * 0.618).fract() * 2.0 - 1.0, (f64::from(k) * 0.414).fract() * 2.0 - 1.0);
         if let Some(place) = found.locate(z) {
             worst = worst.max((place.potential - exact(z)).abs());
         }
@@ -122,7 +131,10 @@ fn a_symmetric_arrangement_has_a_symmetric_field() {
     // The middle is the only saddle: no heat flows there. Below its level there is a loop round each disc, above it one round all.
     let middle = found.locate(DVec2::ZERO).expect("inside");
     assert!(middle.gradient.length() < 1e-3);
-    assert_eq!((found.level(0.8 * middle.potential).len(), found.level(1.2 * middle.potential).len()), (3, 1));
+    assert_eq!(
+        (found.level(0.8 * middle.potential).len(), found.level(1.2 * middle.potential).len()),
+        (3, 1)
+    );
 }
 
 /// A small generator of whole numbers (splitmix64), whose seed a failure names.
@@ -162,19 +174,23 @@ fn random_nested_curves_keep_what_is_promised() {
         curves.push(star(&mut number, DVec2::ZERO, 3.2));
         let compose = |curve: usize, u: f64| {
             let share = 0.5 + 0.5 * (TAU * (u + 0.1 * curve as f64)).sin();
-            let own = if curve == count { [0.0, 1.0 - share, share] } else { [1.0 - 0.3 * share, 0.3 * share, 0.0] };
+            let own = if curve == count {
+                [0.0, 1.0 - share, share]
+            } else {
+                [1.0 - 0.3 * share, 0.3 * share, 0.0]
+            };
             Composition::new(own.to_vec()).expect("a composition")
         };
-        let found = blend(curves, count, &compose);
+        let found = made(curves, count, &compose, ROUGH);
         let balance = found.solution().flux_balance()[0].abs();
-        assert!(balance < 5e-3, "seed {seed}: {balance}");
-        assert_eq!((found.lines().len(), found.lost()), (44, 0), "seed {seed}");
+        assert!(balance < 1e-2, "seed {seed}: {balance}");
+        assert_eq!((found.lines().len(), found.lost()), (24, 0), "seed {seed}");
         let lines: Vec<&Vec<DVec2>> = found.lines().iter().map(|line| &line.points).collect();
         for (i, one) in lines.iter().enumerate() {
             for other in &lines[..i] {
-                let meets = one.windows(2).any(|a| {
-                    other.windows(2).any(|b| crate::geom::segments_meet(a[0], a[1], b[0], b[1]))
-                });
+                let meets = one
+                    .windows(2)
+                    .any(|a| other.windows(2).any(|b| crate::geom::segments_meet(a[0], a[1], b[0], b[1])));
                 assert!(!meets, "seed {seed}: lines {i} and another meet");
             }
         }
@@ -192,8 +208,7 @@ fn random_nested_curves_keep_what_is_promised() {
                 worst = worst.max((shown - exact).abs());
             }
         }
-        eprintln!("seed {seed}: {} vertices, off by {worst}", field.points.len());
-        assert!(worst < 1.5e-3, "seed {seed}: {worst}");
+        assert!(worst < 1.5 * ROUGH.tolerance, "seed {seed}: {worst}");
         for level in [0.2, 0.6] {
             for point in found.level(level).concat() {
                 let place = found.locate(point).expect("inside");
@@ -201,4 +216,19 @@ fn random_nested_curves_keep_what_is_promised() {
             }
         }
     }
+}
+
+/// A hole that is small beside everything else has triangles of its own size round it.
+#[test]
+fn a_tiny_hole_is_shown_as_well_as_a_large_one() {
+    let (r, big) = (2e-3, 3.0_f64);
+    let found = made(vec![circle(DVec2::ZERO, r), circle(DVec2::ZERO, big)], 1, &pure(1), ROUGH);
+    let field = found.field();
+    for corners in &field.triangles {
+        let middle = corners.iter().map(|k| field.points[*k as usize]).sum::<DVec2>() / 3.0;
+        let exact = ((middle.length() / r).ln() / (big / r).ln()).max(0.0);
+        let shown = corners.iter().map(|k| field.value(*k, 0)).sum::<f64>() / 3.0;
+        assert!((shown - exact).abs() < 1.5 * ROUGH.tolerance, "{shown}, not {exact} at {middle}");
+    }
+    assert_eq!((found.crossings(), found.lost()), (0, 0));
 }

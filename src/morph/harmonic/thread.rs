@@ -1,8 +1,8 @@
 //! Lines along the gradient of the potential, from the inner curves to the outer one.
 
+use super::Rings;
 use super::field::distance;
 use super::flow::Flow;
-use super::Rings;
 use crate::curve::BSpline;
 use crate::geom::{SegmentGrid, segments_meet};
 use glam::DVec2;
@@ -187,8 +187,11 @@ impl Tracer<'_> {
 pub fn crossings(lines: &[Vec<DVec2>]) -> usize {
     let edges: Vec<(DVec2, DVec2)> =
         lines.iter().flat_map(|line| line.windows(2).map(|pair| (pair[0], pair[1]))).collect();
-    let owners: Vec<usize> =
-        lines.iter().enumerate().flat_map(|(k, line)| std::iter::repeat_n(k, line.len().max(1) - 1)).collect();
+    let owners: Vec<usize> = lines
+        .iter()
+        .enumerate()
+        .flat_map(|(k, line)| std::iter::repeat_n(k, line.len().max(1) - 1))
+        .collect();
     let grid = SegmentGrid::new(edges.clone());
     let mut pairs = std::collections::BTreeSet::new();
     for (edge, (a, b)) in edges.iter().enumerate() {
