@@ -80,7 +80,7 @@ const READINGS = /** @type {const} */ ({
 const FOLDERS = /** @type {const} */ ({ body: "hyperpatch-", part: "part-", grid: "part-" });
 const LAYERS = [
   ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
-  "isoComposition",
+  ...["isoComposition", "difference"],
 ];
 /** Fields that belong to figures of one view, with that view. */
 const OWN_FIELDS = [
