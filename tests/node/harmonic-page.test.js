@@ -67,8 +67,8 @@ test("a curve that is drawn comes inside, with a number of samples of its own", 
 
 test("names say which curve is the outer one, wherever it stands in the list", () => {
   const document = { ...preset("three-cores") };
-  document.curves = document.curves.toReversed().map(({ name: _, ...curve }) => curve);
-  assert.deepEqual(document.curves.map((_, k) => curveName(document, k)), ["Inner A", "Inner B", "Inner C", "Outer"]);
+  document.curves = document.curves.toReversed().map((/** @type {any} */ { name: _, ...curve }) => curve);
+  assert.deepEqual([0, 1, 2, 3].map((k) => curveName(document, k)), ["Inner A", "Inner B", "Inner C", "Outer"]);
   const ruled = withBlend(document, "ruled");
   assert.equal(curveName(ruled, 0), "Curve A");
 });

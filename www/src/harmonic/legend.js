@@ -11,8 +11,14 @@ import { fixed } from "../format.js";
 import { currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
 import { lookedAt } from "../state/look.js";
-import { lookOf } from "./looks.js";
+import { lookOf } from "./look.js";
 import { words } from "./words.js";
+
+/** Differences that are known, by document. @type {WeakMap<CurvesDocument, string>} */
+const told = new WeakMap();
+
+/** How far both blends of the document that is looked at are apart, in words; empty until it is known. @param {App} app */
+export const differenceText = (app) => (lookOf(app) === "difference" && told.get(lookedAt(app))) || "";
 
 /** @param {App} app */
 export function createDifferenceLegend(app) {
@@ -29,9 +35,12 @@ export function createDifferenceLegend(app) {
     work: (document, signal) => app.kernel.harmonic(document, { difference: true }, { signal }),
     done: (found, document) => {
       known = { document, found };
-      render();
       const { difference } = found;
-      if (lookOf(app) === "difference") app.say(difference ? `${words.difference}: ${numbers(difference)}` : words.noRuled);
+      told.set(document, difference ? `${words.difference}: ${numbers(difference)}` : words.noRuled);
+      // All that shows it is drawn again.
+      app.ui.set({ layers: [...app.ui.value.layers] });
+      render();
+      app.say(differenceText(app));
     },
     // The status line says what is wrong with the document.
     failed: () => {},
