@@ -63,7 +63,9 @@ test("a stack fetches the whole module, and is shown as any figure", async () =>
       assert.deepEqual([document.title, result.ok, result.verified, result.lines, result.crossings, s], ["Three cores", true, true, 60, 0, 0.4]);
       assert.match(result.text, /^60 lines, none crossing/);
     });
-    await page.getByRole("slider", { name: "Place between the curves" }).press("ArrowRight");
+    const slider = page.getByRole("slider", { name: "Place between the curves" });
+    await eventually(async () => assert.equal(await slider.inputValue(), "0.4"));
+    await slider.press("ArrowRight");
     await eventually(async () => assert.equal((await stateOf(page)).s, 0.41));
     const handle = page.locator("[data-handle]").first();
     await handle.focus();

@@ -4,12 +4,13 @@
  * @import { App } from "../state/app.js"
  * @import { Diagnostic, Match, Point } from "../types.js"
  */
+import "../../styles/harmonic.css";
 import { h } from "../dom.js";
 import { coordinate, fixed, milliseconds } from "../format.js";
 import { command, item, label, strong } from "../frame/status-parts.js";
 import { icon } from "../icons.js";
 import { numberNode } from "../number-node.js";
-import { curveName, currentMatch } from "../state/app.js";
+import { curveName } from "../state/app.js";
 import { inSentence, strings } from "../strings.js";
 import { bring } from "../witness.js";
 import { useHarmonic } from "./commands.js";
@@ -48,8 +49,8 @@ export function certificates(app, match, ms) {
     verdict,
     item("segments", strong(String(segments)), label(words.status.segments(segments))),
     item("lines", strong(String(lines)), label(words.status.lines(lines))),
-    count_("crossings", words.status.crossings, crossings),
-    ...(lost > 0 ? [count_("lost", words.status.lost, lost)] : []),
+    counted("crossings", words.status.crossings, crossings),
+    ...(lost > 0 ? [counted("lost", words.status.lost, lost)] : []),
     item("balance", label(words.status.balance), strong(share(fluxBalance))),
     item("iterations", strong(String(iterations)), label(words.status.iterations(iterations)), strong(numberNode(residual))),
     ...time,
@@ -57,7 +58,7 @@ export function certificates(app, match, ms) {
 }
 
 /** A count, in the colour of failures where it is not zero. @param {string} name @param {string} text @param {number} value */
-function count_(name, text, value) {
+function counted(name, text, value) {
   const node = item(name, label(text), strong(String(value)));
   if (value > 0) node.classList.add("failed");
   return node;
@@ -93,13 +94,6 @@ export function remark(app, match) {
   const fault = faultOf(match) ?? match.diagnostics.find(({ code }) => code in REMARKS);
   if (!fault) return null;
   return [fault.code in REMARKS ? label(REMARKS[fault.code]) : reason(sentence(app, fault))];
-}
-
-/** The reason why curves have no harmonic blend, as it is spoken; null where they have one. @param {App} app */
-export function spokenFault(app) {
-  const match = currentMatch(app);
-  const fault = match && faultOf(match);
-  return fault ? sentence(app, fault) : null;
 }
 
 /** @param {App} app @param {Diagnostic} diagnostic */

@@ -1,5 +1,5 @@
 /** Every word of the harmonic blend on the page. */
-import { inSentence, plural } from "../strings.js";
+import { inSentence } from "../strings.js";
 
 /** Names in a sentence. @param {string[]} names */
 const listed = (names) => (names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names[names.length - 1]}`);
@@ -59,8 +59,6 @@ export const words = {
   use: "Use the harmonic blend",
   used: "The blend is harmonic now",
 
-  outside: "nothing there",
-  gradient: "gradient",
   noWhy: "Lines of the harmonic blend follow the gradient; there is no choice to be explained",
   modes: {
     steps: "Steps show how ruling lines are found. The harmonic blend has none: it is the flow of heat between the curves, solved at once.",
@@ -85,5 +83,4 @@ export const words = {
   noPaths: "Paths follow ruling lines, which the harmonic blend does not have. It plays as pictures and as a film.",
   noShape: "The shape alone follows ruling lines; a level of the harmonic blend may be several loops",
   noPlaying: "an animated SVG follows ruling lines, which the harmonic blend does not have; it plays as pictures and as a film",
-  curves: (/** @type {number} */ count) => plural(count, "curve", "curves"),
 };

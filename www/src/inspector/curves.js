@@ -237,7 +237,9 @@ export function curvesGroup(app) {
       placeRow.hidden = height.element.hidden = isInSpace(shape);
       spaceRows.render();
       // The harmonic blend lies in one plane.
-      if (isHarmonic(document)) height.element.hidden = true;
+      const isFlow = isHarmonic(document);
+      if (isFlow) height.element.hidden = true;
+      write(/** @type {HTMLElement} */ (nameRow.firstElementChild), isFlow ? words.nameField : words.name);
       const decimals = points.length === 1 ? 12 : meanDecimals(arrowStep(document));
       x.set(Number(px.toFixed(decimals)));
       y.set(Number(py.toFixed(decimals)));
