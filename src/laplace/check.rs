@@ -6,6 +6,12 @@ use super::panel::{Panel, Space};
 use glam::DVec3;
 use std::collections::HashMap;
 
+/// Most connected parts of a boundary: each is looked at from all others.
+pub const MOST_PARTS: usize = 1000;
+
+/// Parts of which the closure is measured.
+const MEASURED: usize = 32;
+
 /// What a boundary encloses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Enclosed {
@@ -13,7 +19,7 @@ pub struct Enclosed {
     pub parts: usize,
     /// Area or volume between them.
     pub measure: f64,
-    /// Largest difference between 1 and the share of the full angle under which the boundary is seen from just inside of each of its parts.
+    /// Largest difference between 1 and the share of the full angle under which the boundary is seen from just inside of each of its parts, the first 32 of them.
     pub closure: f64,
 }
 
@@ -31,6 +37,12 @@ pub fn enclosed(mesh: &Mesh) -> Result<Enclosed, LaplaceError> {
     let panels: Vec<Panel> =
         (0..part_of.len()).map(|n| mesh.space().panel(mesh.corners(n).map(|p| scaling.inwards(p)))).collect();
     let count = part_of.iter().max().map_or(0, |last| last + 1);
+    if count > MOST_PARTS {
+        let message = format!("{count} parts of the boundary were found; expected {MOST_PARTS} at most");
+        return Err(LaplaceError::new(Fault::Limit, message));
+    }
+    let mut parts: Vec<Vec<&Panel>> = vec![Vec::new(); count];
+    panels.iter().zip(&part_of).for_each(|(panel, part)| parts[*part].push(panel));
     let mut measures = vec![0.0; count];
     let share = if mesh.space() == Space::Plane { 2.0 } else { 3.0 };
     for (panel, part) in panels.iter().zip(&part_of) {
@@ -38,9 +50,15 @@ pub fn enclosed(mesh: &Mesh) -> Result<Enclosed, LaplaceError> {
     }
     let first = |part: usize| part_of.iter().position(|of| *of == part).unwrap_or(0);
     let seen = |x: DVec3, part: usize| -> f64 {
-        let own = panels.iter().zip(&part_of).filter(|(_, of)| **of == part);
-        own.map(|(panel, _)| mesh.space().layers(panel, x).double).sum()
+        parts[part].iter().map(|panel| mesh.space().layers(panel, x).double).sum()
     };
+    let boxes: Vec<(DVec3, DVec3)> = parts
+        .iter()
+        .map(|part| {
+            let corners = || part.iter().flat_map(|panel| panel.corners);
+            (corners().fold(DVec3::INFINITY, DVec3::min), corners().fold(DVec3::NEG_INFINITY, DVec3::max))
+        })
+        .collect();
     let fault = |fault: Fault, part: usize, message: String| {
         let element = first(part);
         Err(LaplaceError::new(fault, message).of(element).at(scaling.outwards(panels[element].centre)))
@@ -62,14 +80,15 @@ pub fn enclosed(mesh: &Mesh) -> Result<Enclosed, LaplaceError> {
                 "the element belongs to a second body; expected one, and others to be solved by themselves";
             return fault(Fault::Apart, part, message.to_owned());
         }
-        let others = (0..count).filter(|other| ![part, body].contains(other));
+        let is_about = |(low, high): (DVec3, DVec3)| place.clamp(low, high) == place;
+        let others = (0..count).filter(|other| ![part, body].contains(other) && is_about(boxes[*other]));
         if !is_inside || others.map(|other| seen(place, other)).any(|angle| angle.abs() > 0.5) {
             let message = "the element belongs to a cavity that is not in the body, or in another cavity; expected each in the body";
             return fault(Fault::Apart, part, message.to_owned());
         }
     }
     let mut closure: f64 = 0.0;
-    for part in 0..count {
+    for part in 0..count.min(MEASURED) {
         let panel = &panels[first(part)];
         let inner = panel.centre - panel.normal * (1e-3 * panel.size.powf(1.0 / (share - 1.0)));
         let angle: f64 = (0..count).map(|part| seen(inner, part)).sum();
@@ -295,5 +314,85 @@ mod tests {
         assert_eq!(enclosed(&clockwise).unwrap_err().fault, Fault::Inverted);
         assert_eq!(Mesh::plane(&square, &[[0, 1], [1, 9], [2, 3]]).unwrap_err().index, Some(1));
         assert_eq!(Mesh::plane(&[DVec2::NAN], &[]).unwrap_err().fault, Fault::Vertices);
+    }
+
+    #[test]
+    fn many_cavities_are_looked_at_in_a_short_time_and_too_many_are_refused() {
+        let [body, hole] = [samples::cube(1), samples::cube(1)];
+        let with = |side: usize| {
+            let holes = (0..side * side * side).map(|n| {
+                let at = [n % side, n / side % side, n / side / side].map(|k| (k as f64 + 0.3) / side as f64);
+                (&hole, DVec3::from_array(at), 0.4 / side as f64, true)
+            });
+            let parts: Vec<_> = std::iter::once((&body, DVec3::ZERO, 1.0, false)).chain(holes).collect();
+            enclosed(&several(&parts).unwrap())
+        };
+        let found = with(6).unwrap();
+        assert!(found.parts == 217 && (found.measure - (1.0 - 0.064)).abs() < 1e-12, "{found:?}");
+        assert_eq!(with(10).unwrap_err().fault, Fault::Limit);
+    }
+
+    #[test]
+    fn wherever_a_body_is_and_whatever_its_size_it_is_found_closed() {
+        for (mesh, measure) in [(samples::cube(3), 1.0), (samples::square(4), 1.0)] {
+            for (size, by) in [(1e-9, 0.0), (1e9, 0.0), (1e60, 0.0), (1e-3, 10.0), (1.0, 1e6)] {
+                let moved = |v: &DVec3| *v * size + DVec3::new(by, by, 0.0);
+                let vertices: Vec<DVec3> = mesh.vertices().iter().map(moved).collect();
+                let same = match mesh.space() {
+                    Space::Solid => Mesh::solid(vertices, mesh.elements().to_vec()),
+                    Space::Plane => {
+                        let flat: Vec<DVec2> = vertices.iter().map(|v| v.truncate()).collect();
+                        let ends: Vec<[u32; 2]> = mesh.elements().iter().map(|[a, b, _]| [*a, *b]).collect();
+                        Mesh::plane(&flat, &ends)
+                    }
+                };
+                let found = enclosed(&same.unwrap()).unwrap();
+                let exact: f64 = measure * size.powi(mesh.space().dimension() as i32);
+                assert!(
+                    (found.measure / exact - 1.0).abs() < 1e-6 && found.closure < 1e-6,
+                    "{size} {found:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn changed_meshes_are_refused_or_solved_and_never_stop_the_program() {
+        use crate::laplace::{Conditions, LaplaceOptions, Problem, solve};
+        let mut state = 20_261_126_u64;
+        let mut random = move |below: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as usize % below.max(1)
+        };
+        let (mut refused, mut solved) = (0, 0);
+        for run in 0..300 {
+            let mesh = if run % 2 == 0 { samples::cube(2) } else { samples::hollow_box(1, 0.2) };
+            let (mut vertices, mut elements) = (mesh.vertices().to_vec(), mesh.elements().to_vec());
+            for _ in 0..=random(3) {
+                let (v, e) = (random(vertices.len()), random(elements.len()));
+                match random(8) {
+                    0 => vertices[v] = [DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e300)][random(3)],
+                    1 => vertices[v] = vertices[random(vertices.len())],
+                    2 => vertices[v] *= [1.3, -1.0, 1e-12, 1e12][random(4)],
+                    3 => elements[e].swap(0, 1),
+                    4 => elements[e][random(3)] = random(vertices.len() + 1) as u32,
+                    5 => drop(elements.swap_remove(e)),
+                    6 => elements.push(elements[e]),
+                    _ => vertices[v] += DVec3::new(0.1, -0.2, 0.05),
+                }
+            }
+            let made = Mesh::solid(vertices, elements).and_then(|mesh| {
+                let conditions = Conditions::single(mesh.panels().iter().map(|panel| Ok(panel.centre.x)));
+                solve(Problem::new(mesh, conditions)?, LaplaceOptions::default())
+            });
+            match made {
+                Ok(_) => solved += 1,
+                Err(error) => {
+                    refused += 1;
+                    assert!(!error.message.is_empty());
+                }
+            }
+        }
+        assert!(refused > 100 && solved > 20, "{refused} refused, {solved} solved");
     }
 }

@@ -12,7 +12,7 @@ pub(super) const SLOTS: usize = 32;
 pub(super) const NOBODY: u32 = u32::MAX;
 
 /// Diameters of a panel from its centre within which its integrals are exact. Clusters that come so near by the largest of their panels are looked at panel
-/// by panel, so that it does not depend on the clusters how a panel is taken.
+/// by panel, so that it does not depend on the clusters whose integrals are exact.
 const EXACT: f64 = 2.5;
 /// Diameters beyond which one place stands for a panel.
 const FAR: f64 = 8.0;

@@ -56,7 +56,7 @@ impl Targets {
         let way: Vec3 = (self.centre - cluster.centre).as_vec3();
         let radius = cluster.radius as f32;
         let m = moments;
-        for l in 0..LANES {
+        for (l, sum) in sums.iter_mut().enumerate() {
             let (x, y, z) =
                 (way.x + self.offsets[0][l], way.y + self.offsets[1][l], way.z + self.offsets[2][l]);
             let near = inverse_root(x * x + y * y + z * z);
@@ -67,7 +67,7 @@ impl Targets {
                 * (x * (m[10] * x + m[11] * y + m[12] * z) + y * (m[13] * y + m[14] * z) + m[15] * z * z)
                 + y * (y * (m[16] * y + m[17] * z) + m[18] * z * z)
                 + m[19] * z * z * z;
-            sums[l] += near * (m[0] + share * (first + share * (second + share * third)));
+            *sum += near * (m[0] + share * (first + share * (second + share * third)));
         }
     }
 }

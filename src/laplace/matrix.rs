@@ -17,6 +17,9 @@ pub const MOST_DENSE: usize = 8_000;
 const MOST_KEPT: usize = 1 << 26;
 const MOST_NEAR: usize = 1 << 27;
 
+/// Numbers that get memory together: 16 MB.
+const PIECE: usize = 1 << 22;
+
 /// Numbers in double precision that are added up together.
 const LANES: usize = 4;
 
@@ -52,6 +55,8 @@ pub(super) struct Near {
     /// Of each panel the cluster that it is in.
     homes: Vec<u16>,
     rows: Vec<Kept>,
+    /// The numbers that are kept, in pieces: memory grows slowly when it grows often.
+    pieces: Vec<Vec<f32>>,
     /// Numbers kept so far.
     count: usize,
     /// In space, what clusters do far away.
@@ -63,8 +68,9 @@ pub(super) struct Near {
 struct Kept {
     /// Clusters in ascending order.
     clusters: Box<[u16]>,
-    /// A number for each slot of these.
-    entries: Box<[f32]>,
+    /// The piece with a number for each slot of these, and where they start in it.
+    piece: usize,
+    start: usize,
 }
 
 /// A row being made.
@@ -94,7 +100,7 @@ impl Near {
                 *home = (slot / SLOTS) as u16;
             }
         }
-        Self { panels, is_value_unknown, homes, rows: Vec::new(), count: 0, expansions }
+        Self { panels, is_value_unknown, homes, rows: Vec::new(), pieces: Vec::new(), count: 0, expansions }
     }
 
     /// Prepares the expansion of the next cluster; returns whether there was one.
@@ -121,7 +127,16 @@ impl Near {
             );
             return Err(LaplaceError::new(Fault::Limit, message));
         }
-        self.rows.push(Kept { clusters: row.clusters.into(), entries: row.entries.into() });
+        let room = self.pieces.last().map_or(0, |piece| piece.capacity() - piece.len());
+        if room < row.entries.len() {
+            self.pieces.push(Vec::with_capacity(row.entries.len().max(PIECE)));
+        }
+        let piece = self.pieces.len().saturating_sub(1);
+        let start = self.pieces.last().map_or(0, Vec::len);
+        if let Some(last) = self.pieces.last_mut() {
+            last.extend_from_slice(&row.entries);
+        }
+        self.rows.push(Kept { clusters: row.clusters.into(), piece, start });
         Ok(())
     }
 }
@@ -246,7 +261,8 @@ impl Near {
         let x: DVec3 = panels.list[row].centre;
         let kept = &self.rows[row];
         let mut near = 0.0;
-        let mut next = kept.clusters.iter().zip(kept.entries.as_chunks::<SLOTS>().0).peekable();
+        let numbers = self.pieces.get(kept.piece).map_or(&[][..], |piece| &piece[kept.start..]);
+        let mut next = kept.clusters.iter().zip(numbers.as_chunks::<SLOTS>().0).peekable();
         let mut sums = Sums::default();
         for (count, number) in direct.iter().enumerate() {
             let cluster = &panels.clusters[usize::from(*number)];

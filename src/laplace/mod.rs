@@ -33,7 +33,7 @@ mod tile;
 mod triangle;
 
 pub use ask::{Found, MOST_POINTS, PointsJob, Quantity};
-pub use check::{Enclosed, enclosed};
+pub use check::{Enclosed, MOST_PARTS, enclosed};
 pub use error::{Fault, LaplaceError};
 pub use gmres::{Convergence, GmresOptions};
 pub use job::{LaplaceJob, LaplaceOptions, Method, Stage, solve};

@@ -136,7 +136,7 @@ test("what does not fit is named with its curves and a place", () => {
   };
   const big = circle(0, 0, 5);
   assert.deepEqual(told([circle(0, 0, 1), circle(3, 0, 1)]), { code: "no-outer", named: [0, 1], at: [4, 0] });
-  assert.deepEqual(told([big, circle(0, 0, 3), circle(0.5, 0, 1)]), { code: "nested", named: [2, 1], at: [2, 0] });
+  assert.deepEqual(told([big, circle(0, 0, 3), circle(1, 0, 1)]), { code: "nested", named: [2, 1], at: [2, 0] });
   const meeting = told([big, circle(-1, 0, 1.5), circle(1, 0, 1.5)]);
   assert.deepEqual([meeting.code, meeting.named, meeting.at?.[0]], ["curves-meet", [1, 2], 0]);
   assert.equal(told([{ ...big, height: 4 }, circle(5, 0, 1)]).code, "curves-meet");

@@ -203,6 +203,32 @@ fn sections_are_the_exact_integrals_to_a_part_in_a_hundred_thousand() {
 }
 
 #[test]
+fn sections_of_one_pixel_of_one_row_and_beside_the_body_are_made() {
+    let ring = solved(samples::annulus(0.4, 1.0, 96), |panel| Ok(panel.centre.x));
+    let made = |origin: DVec3, sides: [DVec3; 2], size| {
+        let mut job = SectionJob::new(&ring, Frame { origin, sides, size }).unwrap();
+        let mut shares = vec![job.progress()];
+        while !job.step(&mut || false) {
+            shares.push(job.progress());
+        }
+        assert!(shares.is_sorted() && shares[0] == 0.0 && job.progress() == 1.0, "{shares:?}");
+        job.section()
+    };
+    let one = made(DVec3::new(0.69, -0.01, 0.0), [DVec3::X * 0.02, DVec3::Y * 0.02], [1, 1]);
+    assert!((f64::from(one.values[0][0]) - value(&ring, DVec3::X * 0.7)).abs() < 1e-5);
+    let row = made(DVec3::new(-1.0, 0.0, 0.0), [DVec3::X * 2.0, DVec3::Y * 1e-3], [1000, 1]);
+    assert!((590..=610).contains(&row.inside), "{}", row.inside);
+    for (pixel, shown) in row.values[0].iter().enumerate().filter(|(_, shown)| !shown.is_nan()) {
+        let p = DVec3::new(-1.0 + 2e-3 * (pixel as f64 + 0.5), 5e-4, 0.0);
+        assert!((f64::from(*shown) - value(&ring, p)).abs() < 1e-4, "{shown} at {p}");
+    }
+    for origin in [DVec3::splat(5.0).with_z(0.0), DVec3::new(-0.1, -0.1, 0.0)] {
+        let beside = made(origin, [DVec3::X * 0.2, DVec3::Y * 0.2], [40, 30]);
+        assert!(beside.inside == 0 && beside.values[0].iter().all(|shown| shown.is_nan()));
+    }
+}
+
+#[test]
 fn a_section_needs_pixels_in_a_plane() {
     let solution = cube(2);
     let frame = Frame { origin: DVec3::ZERO, sides: [DVec3::X, DVec3::Y], size: [8, 8] };

@@ -13,12 +13,15 @@ const EXACT: f64 = 4.0;
 /// Numbers that are worked on together.
 const LANES: usize = 4;
 
+/// The ends of a segment, and its flux.
+type Segment = ([DVec2; 2], f64);
+
 /// Segments with their fluxes, in the coordinates of computing.
 #[derive(Debug, Clone)]
 pub(super) struct Flow {
     scaling: Scaling,
     /// Ends of each segment, along the boundary with the material on its left, and its flux.
-    segments: Vec<([DVec2; 2], f64)>,
+    segments: Vec<Segment>,
     /// Middle of each segment, its flux times its length over 2 pi, and the square of the distance within which it is near; filled up with segments of no weight.
     x: Vec<f64>,
     y: Vec<f64>,
@@ -36,10 +39,10 @@ impl Flow {
             let [a, b, _] = mesh.corners(element).map(|corner| scaling.inwards(corner).truncate());
             [a, b]
         };
-        let segments: Vec<([DVec2; 2], f64)> =
+        let segments: Vec<Segment> =
             fluxes.iter().enumerate().map(|(k, flux)| (place(k), flux / scaling.scale())).collect();
         let count = segments.len().next_multiple_of(LANES);
-        let column = |of: &dyn Fn(&([DVec2; 2], f64)) -> f64, rest: f64| {
+        let column = |of: &dyn Fn(&Segment) -> f64, rest: f64| {
             let mut column: Vec<f64> = segments.iter().map(of).collect();
             column.resize(count, rest);
             column
