@@ -11,6 +11,7 @@ import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
+import { lookedAt } from "../state/look.js";
 import { square, words } from "./words.js";
 
 /** Milliseconds after the last edit before the amounts are asked for. */
@@ -39,7 +40,7 @@ export function createAmounts(app, place) {
   place.hidden = true;
 
   async function refresh() {
-    const { document } = app.store;
+    const document = lookedAt(app);
     if (app.store.running) {
       timer = setTimeout(() => void refresh(), PAUSE);
       return;
@@ -49,7 +50,7 @@ export function createAmounts(app, place) {
     if (match?.coarse) return;
     asked = document;
     const found = match?.harmonic ? flowing(document, match.harmonic) : match ? await app.kernel.amounts(document).catch(() => null) : null;
-    if (asked === document && app.store.document === document) show(found);
+    if (asked === document && lookedAt(app) === document) show(found);
   }
 
   /** @param {Shown | null} found */
@@ -80,7 +81,7 @@ export function createAmounts(app, place) {
 
   return {
     render() {
-      const { document } = app.store;
+      const document = lookedAt(app);
       const match = currentMatch(app);
       // Its match may come after the pause, and is asked about then.
       if (awaited?.document === document && awaited.match === match) return;
