@@ -11,14 +11,14 @@ import { fixed, words } from "./words.js";
  * @param {CurvesDocument} document
  * @returns {FigureResult}
  */
-export function summary({ ok, diagnostics, totals, gap, gapKind, spans = [] }, { matching }) {
+export function summary({ ok, diagnostics, totals, gap, gapKind, spans = [], harmonic }, { matching }) {
   const shown = totals.pairs ?? totals.lines;
   // A stack is as good as its worst span.
   const etas = spans.flatMap(({ totals }) => (totals.pairs ?? totals.lines)?.eta ?? []);
   const bare = spans.flatMap(({ totals }) => totals.lines?.uncovered.flat() ?? []).length;
   const counts = {
-    lines: shown?.count ?? 0,
-    crossings: shown?.crossings ?? 0,
+    lines: harmonic?.lines ?? shown?.count ?? 0,
+    crossings: harmonic?.crossings ?? shown?.crossings ?? 0,
     blocked: shown?.blocked ?? 0,
     uncovered: shown ? shown.uncovered[0].length + shown.uncovered[1].length + (totals.pairs ? 0 : bare) : 0,
   };

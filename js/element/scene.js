@@ -299,7 +299,7 @@ export class Scene {
 
   /** @param {Kernel} kernel @param {import("../directrix.js").Control} control @param {CurvesDocument} document */
   async #grow(kernel, control, document) {
-    const isWhole = document.curves.length === 2;
+    const isWhole = document.curves.length === 2 && document.blend?.kind !== "harmonic";
     this.steps = isWhole ? stepsOf(await kernel.call("steps", [JSON.stringify(document)], { ...control })) : null;
     this.#grown = document;
     this.#news ??= "edit";

@@ -65,6 +65,24 @@ function fraction({ dx, document }, material, s) {
 /** Fractions at points of a boundary value problem. @param {Question} question @param {number[]} points */
 const solvedAt = ({ dx, document }, points) => dx.solveLaplace(inputOf(dx.boundary(document))).at(points).values;
 
+/**
+ * The fraction of a material (from 1) at a place, with one of both blends.
+ * @param {"ruled" | "harmonic"} kind
+ * @returns {FactKind}
+ */
+const blended = (kind) => ({
+  arguments: 3,
+  meaning: `fraction of a material (from 1) at x and y, with the blend ${kind}`,
+  of: ({ dx, document }, material, x, y) => dx.probe({ ...document, blend: { ...document.blend, kind } }, [x, y])?.fractions[material - 1] ?? NaN,
+});
+
+/** How far the harmonic blend of two curves is from the ruled one. @param {Question} question */
+const difference = ({ dx, document }) =>
+  dx.harmonic({ ...document, blend: { ...document.blend, kind: "harmonic" } }, { difference: true }).difference ?? { largest: NaN, mean: NaN };
+
+/** The harmonic blend of a figure in numbers. @param {Question} question */
+const flow = ({ dx, document }) => dx.match(document).harmonic ?? { lines: NaN, crossings: NaN };
+
 /** The body of a figure. @param {Question} question */
 const cellOf = ({ dx, document }) => dx.hyperpatch(document);
 
@@ -223,6 +241,13 @@ export const FACTS = {
   blocked: { arguments: 0, meaning: "lines that run through a curve", of: (question) => totals(question).blocked },
   eta: { arguments: 0, meaning: "η", of: (question) => totals(question).eta },
   gap: { arguments: 0, meaning: "how far J stays below the optimum", of: (question) => result(question).gap ?? NaN },
+  "ruled-at": blended("ruled"),
+  "harmonic-at": blended("harmonic"),
+  "difference-largest": { arguments: 0, meaning: "largest difference of the harmonic blend from the ruled one", of: (question) => difference(question).largest },
+  "difference-mean": { arguments: 0, meaning: "mean difference of the harmonic blend from the ruled one", of: (question) => difference(question).mean },
+  "gradient-lines": { arguments: 0, meaning: "lines along the gradient", of: (question) => flow(question).lines },
+  "gradient-crossings": { arguments: 0, meaning: "crossings of lines along the gradient", of: (question) => flow(question).crossings },
+  curves: { arguments: 0, meaning: "curves of the document", of: ({ document }) => document.curves.length },
   "eta-parameter": eta("parameter"),
   "eta-shift": eta("shift"),
   "eta-greedy": eta("greedy"),

@@ -89,7 +89,7 @@ const READINGS = /** @type {const} */ ({
 const FOLDERS = /** @type {const} */ ({ body: "hyperpatch-", part: "part-", grid: "part-", laplace: "laplace-" });
 const LAYERS = [
   ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
-  "isoComposition",
+  ...["isoComposition", "difference"],
 ];
 /** Fields that belong to figures of some views, with these. @type {[string, string[]][]} */
 const OWN_FIELDS = [

@@ -23,7 +23,7 @@ const sources = new Map(await Promise.all(names.map(async (name) => /** @type {c
 const lessonNamed = (name) => readLesson(name, sources.get(name) ?? "", documents);
 
 test("there are lessons, each with a place of its own in the list", () => {
-  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error", "heat", "boundary-elements", "why-precondition"]) assert.ok(names.includes(name), name);
+  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error", "heat", "boundary-elements", "why-precondition", "harmonic-blend"]) assert.ok(names.includes(name), name);
   const orders = names.map((name) => lessonNamed(name).lesson.order);
   assert.equal(new Set(orders).size, names.length);
 });

@@ -23,6 +23,7 @@ import { fit, zoomBy } from "./stage/zoom.js";
 import { curveName } from "./state/app.js";
 import { canRemovePoints } from "./state/edits.js";
 import { hasSpace } from "./state/in-space.js";
+import { isHarmonic } from "./state/look.js";
 import { isWhole } from "./state/selection.js";
 
 const words = strings.commands;
@@ -37,6 +38,7 @@ const needsRoom = ({ store }) => (store.document.curves.length < 16 ? null : wor
 /** @type {(app: App) => string | null} */
 function whyNotInsert(app) {
   const { curves } = app.store.document;
+  if (isHarmonic(app.store.document)) return words.sideBySide;
   const next = (app.ui.value.selection?.curve ?? 0) + 1;
   return curves.length < 2 ? words.needsTwo : next < curves.length ? needsRoom(app) : words.lastCurve;
 }
@@ -59,6 +61,7 @@ function whyNotRemove(app) {
 function duplicateText({ store, ui }) {
   const { selection } = ui.value;
   const { curves } = store.document;
+  if (isHarmonic(store.document) && curves.length > 1) return words.duplicateInside;
   const other = selection && curves.length === 2 && curves[1 - selection.curve];
   return other && selection ? words.copyOver(curveName(store.document, 1 - selection.curve)) : words.duplicateCurve;
 }
@@ -67,6 +70,7 @@ function duplicateText({ store, ui }) {
 function drawText({ store, ui }) {
   const { curves } = store.document;
   if (curves.length === 0) return words.draw;
+  if (isHarmonic(store.document) && curves.length > 1) return words.drawInside;
   return curves.length === 1 ? words.drawSecond : words.drawOver(curveName(store.document, ui.value.selection?.curve ?? 1));
 }
 
@@ -141,7 +145,7 @@ export const COMMANDS = [
     text: drawText,
     sheet: words.draw,
     keys: ["D"],
-    why: planeOnly,
+    why: (app) => planeOnly(app) ?? (isHarmonic(app.store.document) ? needsRoom(app) : null),
     run: async (app) => (await import("./stage/draw.js")).startDrawing(app),
   },
   { name: "draw-point", topic: "draw", text: words.drawPoint, keys: [words.click, "Space"] },
@@ -245,7 +249,8 @@ export const COMMANDS = [
   {
     name: "add-curve",
     topic: "points",
-    text: words.addCurve,
+    text: ({ store }) => (isHarmonic(store.document) ? words.addInside : words.addCurve),
+    sheet: words.addCurve,
     why: (app) => (app.store.document.curves.length > 0 ? (planeOnly(app) ?? needsRoom(app)) : words.needsCurve),
     run: async (app) => (await stackCommands()).addCurve(app),
   },

@@ -24,7 +24,6 @@ import { createPainter, problem } from "./painter.js";
 import { createCanvas } from "./stage/canvas.js";
 import { listenToKeys } from "./stage/handle-keys.js";
 import { createHandles } from "./stage/handles.js";
-import { createLegend } from "./stage/legend.js";
 import { createMorph } from "./stage/morph.js";
 import { listenToPointer } from "./stage/pointer.js";
 import { createProbe } from "./stage/probe.js";
@@ -122,6 +121,7 @@ function assemble(kernel, store, restored, kept) {
     layers: [],
     isoMaterial: 0,
     patterns: false,
+    look: null,
     stageLabels: false,
     composing: false,
     key: null,
@@ -305,9 +305,12 @@ function createCurves(app, choose) {
     later(app, ({ line }) => line !== null || (store.document.matching.pins?.length ?? 0) > 0, () =>
       import("./lines/lines.js").then(({ createLines }) => createLines),
     ),
+    later(app, ({ layers }) => layers.includes("difference"), () =>
+      import("./harmonic/legend.js").then(({ createDifferenceLegend }) => createDifferenceLegend),
+    ),
     later(app, ({ composing }) => composing, () => import("./stage/keys.js").then(({ createKeys }) => createKeys)),
     later(app, labelled, () => import("./stage/labels.js").then(({ createLabels }) => createLabels)),
-    createLegend(app),
+    later(app, () => true, () => import("./stage/legend.js").then(({ createLegend }) => createLegend)),
     createZoom(app),
     morph,
     createInspector(app),

@@ -13,6 +13,7 @@
  */
 import { seenAlong } from "./state/in-space.js";
 import { Lane } from "./state/lane.js";
+import { isHarmonic, lookedAt } from "./state/look.js";
 import { strings } from "./strings.js";
 
 /** Device pixels painted at most while something moves, and the pause after which all of them are. */
@@ -40,7 +41,7 @@ export function createPainter(app) {
    */
   const lane = new Lane({
     async work({ fine, coarse }, signal) {
-      const { document } = store;
+      const document = lookedAt(app);
       const started = performance.now();
       const onprogress = (/** @type {number} */ progress) => results.set({ progress });
       const [match, picture] = await Promise.allSettled([
@@ -86,7 +87,7 @@ export function createPainter(app) {
 
   /** Asks for what a drag left out, unless the next picture is asked for anyway. */
   function refine() {
-    if (!lane.waits && !answered(store.document, false)) lane.push({ fine: false, coarse: false });
+    if (!lane.waits && !answered(lookedAt(app), false)) lane.push({ fine: false, coarse: false });
   }
 
   /** @param {PaintOptions} options */
@@ -106,13 +107,14 @@ export function createPainter(app) {
   /** @param {boolean} fine @returns {PaintOptions & {pixelRatio: number}} */
   function options(fine) {
     const { size, view, layers, theme, s, probe, line, isoMaterial, patterns, composing } = ui.value;
+    const shown = layers.filter((name) => (name !== "controlPoints" || !composing) && (name !== "difference" || isHarmonic(lookedAt(app))));
     const full = window.devicePixelRatio || 1;
     const moving = Math.min(full, Math.sqrt(MOVING_PIXELS / (size.width * size.height)));
     const most = LARGEST / Math.max(size.width, size.height);
     return {
       ...devicePixels(size, Math.min(most, fine ? full : moving)),
       ...(view ? { view } : {}),
-      layers: composing ? layers.filter((name) => name !== "controlPoints") : layers,
+      layers: shown,
       theme,
       s,
       line: probe?.line ?? line,
@@ -133,10 +135,11 @@ export function createPainter(app) {
     }
     if (!view || size.width < 1 || size.height < 1) return;
     const next = options(false);
-    if (!force && askedFor === store.document && asked && same(asked, next)) return;
-    const coarse = !answered(store.document, false);
+    const document = lookedAt(app);
+    if (!force && askedFor === document && asked && same(asked, next)) return;
+    const coarse = !answered(document, false);
     asked = next;
-    askedFor = store.document;
+    askedFor = document;
     lane.push({ fine: false, coarse });
     clearTimeout(idle);
     if (coarse || !isFine(next)) idle = setTimeout(rest, IDLE);

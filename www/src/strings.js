@@ -37,6 +37,7 @@ const commands = {
   play: "Play or pause the morph",
   draw: "Draw a curve",
   drawSecond: "Draw the second curve",
+  drawInside: "Draw a curve inside",
   drawOver: (/** @type {string} */ curve) => `Draw ${inSentence(curve)} anew`,
   drawPoint: "Set a point",
   drawMove: "Move the crosshair; with Shift far, with Alt finely",
@@ -77,9 +78,12 @@ const commands = {
   fieldCommit: "Commit",
   fieldRestore: "Restore",
   needsTwo: "It needs two curves",
+  duplicateInside: "Duplicate curve inside",
+  addInside: "Add a curve inside",
   addCurve: "Add a curve at the end",
   insertCurve: "Insert a curve after this one",
   moveCurve: "Move the curve in the stack",
+  sideBySide: "Curves of the harmonic blend lie side by side",
   lastCurve: "No curve follows this one",
   mostCurves: "A stack has at most 16 curves",
   needsCurve: "Select a curve first",
@@ -208,6 +212,7 @@ export const strings = {
       counts.length === 1 ? plural(counts[0], "point", "points") : counts.length === 0 ? "none" : counts.length > 2 ? `${counts.length} curves` : `${counts.join(" and ")} points`,
     one: "Curve",
     nth: (/** @type {string} */ letter) => `Curve ${letter}`,
+    nthInner: (/** @type {string} */ letter) => `Inner ${letter}`,
     none: "No curve yet.",
     several: (/** @type {number} */ count) => plural(count, "point", "points"),
     point: (/** @type {string} */ name) => `Point ${name}`,
@@ -272,7 +277,8 @@ export const strings = {
 
   blend: {
     heading: "Blend",
-    phrase: (/** @type {number} */ stages, /** @type {boolean} */ cubic) => `${plural(stages, "stage", "stages")} · ${cubic ? "cubic" : "Oklab"}`,
+    phrase: (/** @type {number} */ stages, /** @type {string} */ kind) => `${plural(stages, "stage", "stages")} · ${kind}`,
+    unused: "not used",
   },
 
   materials: {
@@ -316,6 +322,7 @@ export const strings = {
       unitCells: "Unit cells",
       unconnected: "Unconnected",
       isoComposition: "Equal mix",
+      difference: "Difference",
     },
     patterns: "Patterns",
     patternsHelp: "Hatches in place of colours: the angle tells the material, the density its fraction",
@@ -374,6 +381,7 @@ export const strings = {
   probe: {
     line: (/** @type {number} */ line) => `Line ${line}`,
     value: "value",
+    gradient: "gradient",
     cosine: "normals, cos",
     length: "length",
     spoken: (/** @type {string[]} */ parts) => parts.join(", "),

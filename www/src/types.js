@@ -60,8 +60,10 @@
  * @property {boolean} oneToOne
  *
  * @typedef {object} Blend
- * @property {"ruled" | "cubic"} kind
+ * @property {"ruled" | "cubic" | "harmonic"} kind
  * @property {number} stages
+ * @property {number} [lines] of the kind `harmonic`: lines along the gradient, and segments of each curve
+ * @property {number} [segments]
  *
  * @typedef {object} DocumentView
  * @property {LayerName[]} [layers]

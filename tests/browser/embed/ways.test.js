@@ -56,6 +56,26 @@ test("a stack fetches the whole module, and is shown as any figure", async () =>
     const { runsIn, result } = await stateOf(page);
     assert.deepEqual([runsIn, result.ok, result.verified, result.lines], ["worker", true, true, 120]);
     assert.ok(result.eta > 0.97 && result.eta < 0.99, "that of the worst span");
+    // On the same page a harmonic blend, which has lines along its gradient, and stages from the inner curves to the outer one.
+    await page.evaluate(() => (location.hash = "#v=1&preset=three-cores&controls=full"));
+    await eventually(async () => {
+      const { document, result, s } = await stateOf(page);
+      assert.deepEqual([document.title, result.ok, result.verified, result.lines, result.crossings, s], ["Three cores", true, true, 60, 0, 0.4]);
+      assert.match(result.text, /^60 lines, none crossing/);
+    });
+    const slider = page.getByRole("slider", { name: "Place between the curves" });
+    await eventually(async () => assert.equal(await slider.inputValue(), "0.4"));
+    await slider.press("ArrowRight");
+    await eventually(async () => assert.equal((await stateOf(page)).s, 0.41));
+    const handle = page.locator("[data-handle]").first();
+    await handle.focus();
+    const before = (await stateOf(page)).document.curves;
+    await page.keyboard.press("ArrowUp");
+    await eventually(async () => {
+      const { document, result } = await stateOf(page);
+      assert.notDeepEqual(document.curves, before);
+      assert.deepEqual([result.verified, result.lines], [true, 60]);
+    });
   });
 });
 

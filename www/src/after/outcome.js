@@ -8,6 +8,7 @@ import { describe, describeCurves } from "../../../js/sentence.js";
 import { attribute, find, h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { curveName } from "../state/app.js";
+import { lookedAt } from "../state/look.js";
 
 /** Milliseconds of rest before a result is spoken: what an edit says of itself comes first. */
 const PAUSE = 900;
@@ -25,7 +26,7 @@ export function createOutcome(app) {
   /** The sentence of what is shown, or null while it is on its way. */
   function sentence() {
     const { match, matched, problem } = results.value;
-    if (matched !== store.document || match?.coarse) return null;
+    if (matched !== lookedAt(app) || match?.coarse) return null;
     return problem ? explain(store.document, problem) : match ? describe(match) : null;
   }
 

@@ -3,12 +3,15 @@
  *
  * @import { App } from "../state/app.js"
  * @import { Amounts, CurvesDocument, Match } from "../types.js"
+ *
+ * @typedef {Pick<Amounts, "unit" | "area" | "body" | "rise"> & {materials: {name: string, amount: number, share: number, void: boolean}[], cells: {folded: number}}} Shown
  */
 import "../../styles/amounts.css";
 import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
+import { lookedAt } from "../state/look.js";
 import { square, words } from "./words.js";
 
 /** Milliseconds after the last edit before the amounts are asked for. */
@@ -37,7 +40,7 @@ export function createAmounts(app, place) {
   place.hidden = true;
 
   async function refresh() {
-    const { document } = app.store;
+    const document = lookedAt(app);
     if (app.store.running) {
       timer = setTimeout(() => void refresh(), PAUSE);
       return;
@@ -46,11 +49,11 @@ export function createAmounts(app, place) {
     // A refinement is still to come, with a match of its own.
     if (match?.coarse) return;
     asked = document;
-    const found = match ? await app.kernel.amounts(document).catch(() => null) : null;
-    if (asked === document && app.store.document === document) show(found);
+    const found = match?.harmonic ? flowing(document, match.harmonic) : match ? await app.kernel.amounts(document).catch(() => null) : null;
+    if (asked === document && lookedAt(app) === document) show(found);
   }
 
-  /** @param {Amounts | null} found */
+  /** @param {Shown | null} found */
   function show(found) {
     place.hidden = found === null;
     if (!found) return;
@@ -78,7 +81,7 @@ export function createAmounts(app, place) {
 
   return {
     render() {
-      const { document } = app.store;
+      const document = lookedAt(app);
       const match = currentMatch(app);
       // Its match may come after the pause, and is asked about then.
       if (awaited?.document === document && awaited.match === match) return;
@@ -87,6 +90,18 @@ export function createAmounts(app, place) {
       timer = setTimeout(() => void refresh(), PAUSE);
     },
   };
+}
+
+/**
+ * The amounts of a harmonic blend, which has no unit cells.
+ * @param {CurvesDocument} document
+ * @param {NonNullable<Match["harmonic"]>} blend
+ * @returns {Shown}
+ */
+function flowing({ materials, unit }, { area, amounts }) {
+  const shares = materials.map(({ name, void: empty = false }, i) => ({ name, amount: amounts[i], share: area > 0 ? amounts[i] / area : 0, void: empty }));
+  const body = shares.reduce((sum, { amount, void: empty }) => (empty ? sum : sum + amount), 0);
+  return { unit, area, body, materials: shares, rise: 0, cells: { folded: 0 } };
 }
 
 /** An area as plain digits where they are few. @param {number} value */

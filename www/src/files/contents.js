@@ -14,8 +14,11 @@
 import { cellsCsv, cellsJson } from "../cells/tables.js";
 import { words } from "../cells/words.js";
 import { words as exportWords } from "../frame/export-words.js";
+import { blendOf } from "../harmonic/blend.js";
+import { words as flow } from "../harmonic/words.js";
 import { currentMatch } from "../state/app.js";
-import { linesCsv, stackCsv, stagesCsv } from "./csv.js";
+import { isHarmonic, lookedAt } from "../state/look.js";
+import { gradientCsv, levelsCsv, linesCsv, stackCsv, stagesCsv } from "./csv.js";
 import { documentWithView } from "./document-view.js";
 import { fileName } from "./names.js";
 import { pngOf, svgOf } from "./pictures.js";
@@ -59,6 +62,7 @@ export function nameOf(app, { format, table, content }) {
 
 /** @param {App} app */
 async function lines(app) {
+  if (isHarmonic(lookedAt(app))) return gradientCsv(await flowing(app));
   const { document } = app.store;
   const match = currentMatch(app) ?? (await app.kernel.match(document));
   if (match.spans) {
@@ -72,9 +76,17 @@ async function lines(app) {
 
 /** @param {App} app */
 async function stages(app) {
+  if (isHarmonic(lookedAt(app))) return levelsCsv(await flowing(app));
   const found = await app.kernel.stages(app.store.document);
   if (found.length === 0) throw new Error(exportWords.noStages);
   return stagesCsv(found);
+}
+
+/** The harmonic blend that is looked at. @param {App} app */
+async function flowing(app) {
+  const blend = await blendOf(app);
+  if (!blend.ok) throw new Error(flow.noBlend);
+  return blend;
 }
 
 /** @param {App} app */
@@ -93,6 +105,7 @@ async function cellsAsJson(app) {
 
 /** @param {App} app */
 async function cells(app) {
+  if (isHarmonic(app.store.document)) throw new Error(flow.noCells);
   const found = await app.kernel.cells(app.store.document);
   if (found.length === 0) throw new Error(words.none);
   return found;

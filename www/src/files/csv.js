@@ -57,6 +57,27 @@ export function stagesCsv(stages) {
   return table(["stage", "s", "x", "y"], stages.flatMap(({ s, points }, i) => points.map(([x, y]) => [i, s, x, y])));
 }
 
+/**
+ * The lines along the gradient of a harmonic blend, point by point from the inner curve to the outer one.
+ * @param {Pick<import("../../../js/directrix.js").Harmonic, "lines" | "lineCurves" | "lineParameters">} blend
+ */
+export function gradientCsv({ lines, lineCurves, lineParameters }) {
+  const rows = lines.flatMap((flat, i) => pairsOf(flat).map(([x, y]) => [i, lineCurves[i], lineParameters[2 * i], lineParameters[2 * i + 1], x, y]));
+  return table(["line", "curve", "u", "v", "x", "y"], rows);
+}
+
+/**
+ * The level curves of a harmonic blend, loop by loop; each is closed, and its first point is not repeated.
+ * @param {Pick<import("../../../js/directrix.js").Harmonic, "levels">} blend
+ */
+export function levelsCsv({ levels }) {
+  const rows = levels.flatMap(({ value, loops }, i) => loops.flatMap((flat, k) => pairsOf(flat).map(([x, y]) => [i + 1, value, k, x, y])));
+  return table(["stage", "s", "loop", "x", "y"], rows);
+}
+
+/** @param {Float64Array} flat @returns {Point[]} */
+const pairsOf = (flat) => Array.from({ length: flat.length / 2 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
+
 /** @param {Point} p @param {Point} q @param {number} rise */
 function distance([x1, y1], [x2, y2], rise) {
   return Math.hypot(x2 - x1, y2 - y1, rise);

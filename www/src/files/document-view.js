@@ -23,7 +23,7 @@ export function splitView(document) {
   const layers = view?.layers?.filter((name) => LAYERS.some((layer) => layer === name));
   return {
     document: /** @type {CurvesDocument} */ (rest),
-    ui: { layers: layers ?? firstLayers(), s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0, patterns: view?.patterns ?? false },
+    ui: { layers: layers ?? firstLayers(), look: null, s: view?.s ?? FIRST_S, isoMaterial: view?.isoMaterial ?? 0, patterns: view?.patterns ?? false },
     place: view?.center && view.span ? { center: view.center, span: view.span } : null,
   };
 }

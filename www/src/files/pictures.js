@@ -9,6 +9,7 @@
  * @property {boolean} transparent
  */
 import { imageData } from "../kernel.js";
+import { lookedAt } from "../state/look.js";
 
 /** Longest side of a picture in pixels. */
 export const LARGEST = 4096;
@@ -55,7 +56,7 @@ export function paintOptions(app, { width, height, ...appearance }) {
  * @returns {Promise<Blob>}
  */
 export async function pngOf(app, wanted) {
-  return blobOf(await app.kernel.paint(app.store.document, paintOptions(app, wanted)));
+  return blobOf(await app.kernel.paint(lookedAt(app), paintOptions(app, wanted)));
 }
 
 /**
@@ -78,7 +79,7 @@ export function blobOf(picture) {
  */
 export function svgOf(app, appearance, place = {}) {
   const { width, height } = app.ui.value.size;
-  return app.kernel.svg(app.store.document, { ...options(app, appearance), ...place, width, height });
+  return app.kernel.svg(lookedAt(app), { ...options(app, appearance), ...place, width, height });
 }
 
 /**

@@ -9,14 +9,16 @@ import "../../styles/push.css";
 import { words as ofCells } from "../cells/words.js";
 import { segment } from "../controls/choices.js";
 import { row } from "../controls/row.js";
-import { h, write } from "../dom.js";
+import { attribute, h, write } from "../dom.js";
 import { copyPng, copyText } from "../files/clipboard.js";
 import { fileOf, nameOf, textOf } from "../files/contents.js";
 import { download } from "../files/download.js";
 import { pictureRows } from "../files/picture-rows.js";
 import { LARGEST, scaledSize } from "../files/pictures.js";
+import { words as flow } from "../harmonic/words.js";
 import { kindOf } from "../kinds/kinds.js";
 import { problem } from "../painter.js";
+import { isHarmonic, lookedAt } from "../state/look.js";
 import { words } from "./export-words.js";
 import { openPanel } from "./panel.js";
 
@@ -83,6 +85,12 @@ export async function showExport(app) {
     (value) => change({ content: value }),
   );
 
+  /** What needs ruling lines, with the reason that it is not to be had without. @type {[HTMLElement, string, string][]} */
+  const needsLines = [
+    [format.element, "solid", flow.noSolid],
+    [table.element, "cells", flow.noCells],
+    [content.element, "cells", flow.noCells],
+  ];
   const rows = {
     scale: row(words.scale, scale),
     size: picture.size,
@@ -135,6 +143,14 @@ export async function showExport(app) {
   }
 
   function render() {
+    const isFlow = isHarmonic(lookedAt(app));
+    for (const [group, value, why] of needsLines) bar(group, value, isFlow ? why : null);
+    for (const value of /** @type {const} */ (["lines", "stages"])) {
+      const word = /** @type {HTMLElement} */ (table.element.querySelector(`[value=${value}] + span`));
+      write(word, isFlow ? flow.tables[value] : words.tables[value]);
+    }
+    if (isFlow && wanted.table === "cells") wanted.table = "lines";
+    if (isFlow && wanted.content === "cells") wanted.content = "document";
     format.set(wanted.format);
     const same = SCALES.find((each) => {
       const { width: w, height: h } = scaledSize(app.ui.value.size, Number(each));
@@ -147,7 +163,8 @@ export async function showExport(app) {
     for (const [name, element] of Object.entries(rows)) {
       element.hidden = !shown[wanted.format].some((each) => each === name);
     }
-    write(note, noteOf(wanted));
+    const own = isFlow && wanted.format === "csv" && wanted.table !== "cells" ? flow.tableNotes[wanted.table] : noteOf(wanted);
+    write(note, own);
   }
 
   /** @param {string | null} text @param {boolean} [failed] */
@@ -189,6 +206,7 @@ export async function showExport(app) {
     body: [formats, still, place],
     onclose: () => section?.close(),
   });
+  if (last.section === "solid" && isHarmonic(lookedAt(app))) last.section = null;
   if (panel && last.section) {
     format.set(last.section);
     void showSection(last.section);
@@ -196,6 +214,20 @@ export async function showExport(app) {
   }
   // Enter once more downloads; on a phone the choices above would leave the screen.
   if (panel && !matchMedia("(width < 600px)").matches) save.focus();
+}
+
+/**
+ * Bars one choice, and says why, or gives it free.
+ * @param {HTMLElement} group
+ * @param {string} value
+ * @param {string | null} why
+ */
+function bar(group, value, why) {
+  const input = /** @type {HTMLInputElement} */ (group.querySelector(`[value=${value}]`));
+  input.disabled = why !== null;
+  const label = /** @type {HTMLElement} */ (input.parentElement);
+  label.classList.toggle("barred", why !== null);
+  attribute(label, "title", why);
 }
 
 /** @param {Wanted} wanted */

@@ -14,12 +14,15 @@ import { command, item, label, strong } from "./status-parts.js";
 import { patch } from "../state/edits.js";
 import { spanName } from "../state/app.js";
 import { keptGaps, shownTotals } from "../state/lines.js";
+import { isHarmonic, lookedAt } from "../state/look.js";
 import { strings } from "../strings.js";
 
 /** @param {App} app */
 export function createStatus(app) {
   const element = find("#status");
   let drawn = "";
+  /** What is said of harmonic blends, once there is one. @type {typeof import("../harmonic/status.js") | null} */
+  let flow = null;
 
   return {
     render() {
@@ -29,8 +32,18 @@ export function createStatus(app) {
         drawn = "";
         return;
       }
-      const fresh = matched === app.store.document;
-      const key = JSON.stringify([match?.totals, match?.ok, match?.gap, match?.coarse, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
+      const fresh = matched === lookedAt(app);
+      const isFlow = isHarmonic(lookedAt(app)) || match?.diagnostics.some(({ code }) => code === "several-inner");
+      if (isFlow && !flow) {
+        void import("../harmonic/status.js").then((module) => {
+          flow = module;
+          drawn = "";
+          this.render();
+        });
+      }
+      const own = isFlow ? flow : null;
+      const numbers = own && (match?.harmonic || isHarmonic(lookedAt(app))) ? own : null;
+      const key = JSON.stringify([own && match?.harmonic, app.store.document.curves.map(({ name }) => name), match?.totals, match?.ok, match?.gap, match?.coarse, match?.diagnostics, problem, fresh ? ms : 0, slow, note, drawing, app.store.document.curves.length]);
       if (key === drawn) return;
       drawn = key;
       const focused = document.activeElement?.getAttribute("data-certificate");
@@ -39,18 +52,18 @@ export function createStatus(app) {
         : match
           ? isIncomplete(match)
             ? [strong(strings.incomplete.verdict[app.store.document.curves.length] ?? "")]
-            : certificates(app, match, ms)
+            : (numbers?.certificates ?? certificates)(app, match, ms)
           : [label(strings.status.loading)];
       element.replaceChildren(
         h("div", { class: "certificates" }, ...left),
-        h("div", { class: note?.tone === "error" ? "remark told" : "remark" }, ...remark(app, match, slow)),
+        h("div", { class: note?.tone === "error" ? "remark told" : "remark" }, ...remark(app, match, slow, own)),
       );
       element.dataset.verdict = problem
         ? "error"
         : match
           ? isIncomplete(match)
             ? "incomplete"
-            : match.ok && failures(match) === 0
+            : match.ok && (numbers?.failures ?? failures)(match) === 0
             ? "verified"
             : "problems"
           : "none";
@@ -155,9 +168,10 @@ function showing(name, words, shown, look, onclick) {
  * @param {App} app
  * @param {Match | null} match
  * @param {boolean} slow
+ * @param {typeof import("../harmonic/status.js") | null} flow
  * @returns {Node[]}
  */
-function remark(app, match, slow) {
+function remark(app, match, slow, flow) {
   const words = strings.status;
   const { note } = app.ui.value;
   if (slow) return [label(words.working), command("cancel", words.cancel, app.cancel)];
@@ -172,6 +186,9 @@ function remark(app, match, slow) {
     if (app.ui.value.drawing) return [text];
     return [text, command("draw", commandText(app, "draw"), () => void runCommand(app, "draw"))];
   }
+  const more = flow?.remark(app, match);
+  if (more) return more;
+  if (match.harmonic) return match.coarse ? [label(words.refining)] : [];
   const text = advice(match);
   const { matching } = app.store.document;
   if (text) {

@@ -20,7 +20,7 @@ export const blendGroup = (app) =>
     heading: strings.blend.heading,
     phrase() {
       const { stages, kind } = app.store.document.blend;
-      return strings.blend.phrase(stages, isStack(app) && kind === "cubic");
+      return strings.blend.phrase(stages, kind !== "ruled" && (kind === "harmonic" || isStack(app)) ? kind : "Oklab");
     },
     load: () => import("./blend-fields.js").then(({ createBlendFields }) => createBlendFields),
   });

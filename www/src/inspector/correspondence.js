@@ -10,6 +10,7 @@ import { isOpen, unrolled } from "../spline.js";
 import { currentMatch } from "../state/app.js";
 import { keptGaps, shownLines } from "../state/lines.js";
 import { Lane } from "../state/lane.js";
+import { lookedAt } from "../state/look.js";
 import { strings } from "../strings.js";
 
 /** Side of the plot in its own units. */
@@ -48,7 +49,7 @@ export function createCorrespondence(app) {
     work: async (line, signal) => {
       const { from, to } = shownLines(currentMatch(app))[line];
       const middle = /** @type {Point} */ ([(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]);
-      return { line, found: await app.kernel.probe(app.store.document, middle, { signal }) };
+      return { line, found: await app.kernel.probe(lookedAt(app), middle, { signal }) };
     },
     done: ({ line, found }) => {
       const ends = shownLines(currentMatch(app))[line];

@@ -18,6 +18,7 @@ import { curveName, pointName } from "../state/app.js";
 import { DEGREES, highestDegree, scalePoints, setDegree, turnPoints } from "../state/curve-edits.js";
 import { changeCurve, handleCount, movePoints } from "../state/edits.js";
 import { hasSpace, isInSpace } from "../state/in-space.js";
+import { isHarmonic } from "../state/look.js";
 import { middleOf, movedPoints, whole } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { arrowStep } from "../view.js";
@@ -235,6 +236,10 @@ export function curvesGroup(app) {
       write(placeLabel, placeName(chosen));
       placeRow.hidden = height.element.hidden = isInSpace(shape);
       spaceRows.render();
+      // The harmonic blend lies in one plane.
+      const isFlow = isHarmonic(document);
+      if (isFlow) height.element.hidden = true;
+      write(/** @type {HTMLElement} */ (nameRow.firstElementChild), isFlow ? words.nameField : words.name);
       const decimals = points.length === 1 ? 12 : meanDecimals(arrowStep(document));
       x.set(Number(px.toFixed(decimals)));
       y.set(Number(py.toFixed(decimals)));

@@ -10,6 +10,7 @@ import { row } from "../controls/row.js";
 import { attribute, h, write } from "../dom.js";
 import { symbol } from "../icons.js";
 import { LAYERS } from "../state/app.js";
+import { hasLooks, isHarmonic, lookedAt } from "../state/look.js";
 import { strings } from "../strings.js";
 
 /**
@@ -18,6 +19,8 @@ import { strings } from "../strings.js";
  */
 export function layersGroup(app) {
   const words = strings.layers;
+  /** Blends differ where there are two. @param {string} name */
+  const has = (name) => name !== "difference" || (hasLooks(app.store.document) && isHarmonic(lookedAt(app)));
   const boxes = LAYERS.map((name) => ({
     name,
     ...checkBox(
@@ -38,11 +41,14 @@ export function layersGroup(app) {
     name: "layers",
     heading: words.heading,
     body: h("div", {}, h("div", { class: "layers" }, ...boxes.map(({ element }) => element), patterns.element, snap.element), material),
-    phrase: () => words.phrase(app.ui.value.layers.length, LAYERS.length),
+    phrase: () => words.phrase(app.ui.value.layers.filter(has).length, LAYERS.filter(has).length),
     render() {
       const { layers, isoMaterial, patterns: hatched, snap: snaps } = app.ui.value;
       const { materials } = app.store.document;
-      for (const { name, set } of boxes) set(layers.includes(name));
+      for (const { name, element, set } of boxes) {
+        element.hidden = !has(name);
+        set(layers.includes(name));
+      }
       patterns.set(hatched);
       snap.set(snaps);
       material.hidden = !layers.includes("isoComposition");

@@ -14,10 +14,12 @@ import { row } from "../controls/row.js";
 import { select } from "../controls/select.js";
 import { h, write } from "../dom.js";
 import { symbol } from "../icons.js";
+import { words as flow } from "../harmonic/words.js";
 import { later } from "../later.js";
 import { isOpen } from "../spline.js";
 import { currentMatch } from "../state/app.js";
 import { patch } from "../state/edits.js";
+import { hasLooks, isHarmonic } from "../state/look.js";
 import { choiceOf, CHOICES, choose, printAll, printRule, rulesOf, setLines } from "../state/methods.js";
 import { strings } from "../strings.js";
 import { editing } from "./edit.js";
@@ -180,7 +182,7 @@ export function createMatchingFields(app) {
     policy: row(words.infeasible, policy),
     ends: row(words.ends, ends),
   };
-  const element = h(
+  const fields = h(
     "div",
     {},
     row(words.method, method),
@@ -196,6 +198,8 @@ export function createMatchingFields(app) {
     more,
     plot,
   );
+  const unused = h("p", { class: "note", "data-unused": "" });
+  const element = h("div", {}, unused, fields);
   const pins = later(
     app,
     () => (app.store.document.matching.pins?.length ?? 0) > 0,
@@ -219,7 +223,12 @@ export function createMatchingFields(app) {
   return {
     element,
     render() {
-      const { matching } = app.store.document;
+      const { document } = app.store;
+      const { matching } = document;
+      unused.hidden = !isHarmonic(document);
+      // Two curves have the other blend beside, which is what the fields say.
+      fields.hidden = !unused.hidden && !hasLooks(document);
+      write(unused, fields.hidden ? flow.unusedMatching : `${flow.unusedMatching} ${flow.usedBeside}`);
       /** @type {Choice} */
       const choice = choiceOf(matching);
       method.set(choice);

@@ -5,6 +5,7 @@
  * @import { Group } from "./group.js"
  */
 import { editable } from "../format.js";
+import { isHarmonic } from "../state/look.js";
 import { strings } from "../strings.js";
 import { laterGroup } from "./later-group.js";
 
@@ -18,6 +19,7 @@ export const matchingGroup = (app) =>
     heading: strings.matching.heading,
     class: "matching",
     phrase() {
+      if (isHarmonic(app.store.document)) return strings.blend.unused;
       const { method, normalWeight, distanceWeight } = app.store.document.matching;
       return strings.matching.phrase(method, editable(normalWeight, 1), editable(distanceWeight, 1));
     },

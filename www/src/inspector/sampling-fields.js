@@ -8,8 +8,10 @@ import { segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { row } from "../controls/row.js";
 import { h, write } from "../dom.js";
+import { words as flow } from "../harmonic/words.js";
 import { curveName, letterOf } from "../state/app.js";
 import { patch } from "../state/edits.js";
+import { hasLooks, isHarmonic } from "../state/look.js";
 import { editing } from "./edit.js";
 import { numbersTaken } from "./sampling.js";
 import { words } from "./sampling-words.js";
@@ -98,12 +100,18 @@ export function createSamplingFields(app) {
     row(words.minCount, minCount),
     row(words.counts, { element: taken }),
   ];
-  const element = h("div", {}, h("div", { class: "wide-row" }, scheme.element), even, ...adaptive);
+  const fields = h("div", {}, h("div", { class: "wide-row" }, scheme.element), even, ...adaptive);
+  const unused = h("p", { class: "note", "data-unused": "" });
+  const element = h("div", {}, unused, fields);
 
   return {
     element,
     render() {
-      const { sampling } = app.store.document;
+      const { document } = app.store;
+      const { sampling } = document;
+      unused.hidden = !isHarmonic(document);
+      fields.hidden = !unused.hidden && !hasLooks(document);
+      write(unused, fields.hidden ? flow.unusedSampling : `${flow.unusedSampling} ${flow.usedBeside}`);
       scheme.set(sampling.scheme);
       while (counts.length < sampling.counts.length) {
         const field = count(counts.length);

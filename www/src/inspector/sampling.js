@@ -4,6 +4,7 @@
  * @import { App } from "../state/app.js"
  * @import { Group } from "./group.js"
  */
+import { isHarmonic } from "../state/look.js";
 import { strings } from "../strings.js";
 import { laterGroup } from "./later-group.js";
 
@@ -26,6 +27,6 @@ export const samplingGroup = (app) =>
   laterGroup(app, {
     name: "sampling",
     heading: strings.sampling.heading,
-    phrase: () => strings.sampling.phrase(app.store.document.sampling.scheme.replace("-", " "), numbersTaken(app)),
+    phrase: () => isHarmonic(app.store.document) ? strings.blend.unused : strings.sampling.phrase(app.store.document.sampling.scheme.replace("-", " "), numbersTaken(app)),
     load: () => import("./sampling-fields.js").then(({ createSamplingFields }) => createSamplingFields),
   });

@@ -120,6 +120,13 @@ export function createCurvesView(app, host, figure) {
   }
 
   function drawStatus() {
+    if (match?.harmonic && figure.controls !== "none") {
+      const { lines, crossings } = match.harmonic;
+      const count = (/** @type {string} */ text, /** @type {number} */ number) => h("span", {}, h("span", { class: "strong number" }, String(number)), ` ${text}`);
+      status.hidden = false;
+      status.replaceChildren(...(crossings === 0 ? [icon("check", 14)] : []), count(words.status.gradientLines, lines), count(words.status.crossings, crossings));
+      return;
+    }
     const totals = match && shownTotals(match);
     status.hidden = figure.controls === "none" || !totals || !match;
     if (!totals || !match) return;

@@ -22,8 +22,10 @@ const OTHERS = {
 const found = import.meta.glob("../../lessons/*.md", { eager: true, query: "?head", import: "default" });
 const whole = import.meta.glob("../../lessons/*.md", { import: "default" });
 
-/** In the order of the list. */
-export const heads = Object.values(found).sort((a, b) => a.order - b.order);
+const ordered = Object.values(found).sort((a, b) => a.order - b.order);
+
+/** In the order of the list: group by group, so that a lesson that came later stands with its own. */
+export const heads = [...new Set(ordered.map(({ group }) => group))].flatMap((group) => ordered.filter((head) => head.group === group));
 
 /** @param {string} name of a lesson that there is @returns {Promise<WholeLesson>} */
 export async function openLesson(name) {

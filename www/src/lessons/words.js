@@ -43,6 +43,7 @@ export const words = {
   slider: "In-between curve, s",
   status: {
     lines: "lines",
+    gradientLines: "gradient lines",
     crossings: "crossings",
     blocked: "blocked",
     uncovered: "uncovered",

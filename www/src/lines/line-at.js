@@ -6,6 +6,7 @@
  */
 import { currentMatch } from "../state/app.js";
 import { numbered, shownLines } from "../state/lines.js";
+import { lookedAt } from "../state/look.js";
 import { toPlane, toScreen } from "../view.js";
 
 /** Pixels from a line at which a click means it. */
@@ -20,14 +21,14 @@ const ON_LINE = 8;
 export async function lineAt(app, at) {
   const { view, size } = app.ui.value;
   if (!view) return null;
-  const { document } = app.store;
+  const document = lookedAt(app);
   const aways = shownLines(currentMatch(app)).map(({ from, to }) =>
     away(at, toScreen(view, size, from), toScreen(view, size, to)),
   );
   const nearest = aways.indexOf(Math.min(...aways));
   if (nearest < 0 || aways[nearest] <= ON_LINE) return nearest < 0 ? null : nearest;
   const found = await app.kernel.probe(document, toPlane(view, size, at)).catch(() => null);
-  return app.store.document === document ? found && numbered(currentMatch(app), found).line : null;
+  return lookedAt(app) === document ? found && numbered(currentMatch(app), found).line : null;
 }
 
 /** Distance of a place from a straight line. @param {Point} at @param {Point} a @param {Point} b */

@@ -22,6 +22,8 @@ import "../../styles/modes.css";
 import { segment } from "../controls/choices.js";
 import { find, h } from "../dom.js";
 import { problem } from "../painter.js";
+import { isHarmonic } from "../state/look.js";
+import { isCurves } from "../state/kind.js";
 import { words } from "./words.js";
 
 /** @type {readonly Mode[]} */
@@ -51,13 +53,19 @@ export function createModes(app) {
   find("#inspector").append(aside);
 
   let shown = "figure";
+  /** Whether what is shown says why the mode is not to be had. */
+  let refuses = false;
   /** @type {View | null} */
   let view = null;
+
+  /** Modes look at ruling lines, which a harmonic blend does not have. @param {string} mode */
+  const wouldRefuse = (mode) => mode !== "figure" && isCurves(app.store.document) && isHarmonic(app.store.document);
 
   /** @param {Mode} mode */
   async function enter({ name, load }) {
     const held = stage.contains(document.activeElement) || aside.contains(document.activeElement);
     shown = name;
+    refuses = wouldRefuse(name);
     view?.close();
     view = null;
     stage.replaceChildren();
@@ -70,8 +78,14 @@ export function createModes(app) {
     if (!load) return;
     find("#status").replaceChildren();
     try {
+      if (name !== "figure" && wouldRefuse(name)) {
+        const { createRefusal } = await import("../harmonic/refusal.js");
+        if (shown === name && refuses) view = createRefusal(app, { stage, aside, status: find("#status") }, name);
+        view?.render();
+        return;
+      }
       const [create, { spanApp, spanChoice }] = await Promise.all([load(), import("../stack/span-view.js")]);
-      if (shown !== name) return;
+      if (shown !== name || refuses) return;
       const inner = create(spanApp(app), { stage, aside, status: find("#status") });
       const choice = spanChoice(app);
       choice.render();
@@ -97,7 +111,7 @@ export function createModes(app) {
       const { mode } = ui.value;
       const known = MODES.find(({ name }) => name === mode);
       if (!known) ui.set({ mode: "figure" });
-      else if (shown !== mode) void enter(known);
+      else if (shown !== mode || refuses !== wouldRefuse(mode)) void enter(known);
       else view?.render();
       control.set(known?.name ?? "figure");
     },

@@ -24,7 +24,10 @@ import { fileName } from "../files/names.js";
 import { pictureRows } from "../files/picture-rows.js";
 import { scaledSize, svgOf } from "../files/pictures.js";
 import { significantText } from "../format.js";
+import { blendOf } from "../harmonic/blend.js";
+import { words as flow } from "../harmonic/words.js";
 import { problem } from "../painter.js";
+import { isHarmonic, lookedAt } from "../state/look.js";
 import { words as stackWords } from "../stack/words.js";
 import { animatedStack } from "./animated-stack.js";
 import { animatedFigure, animatedShape } from "./animated-svg.js";
@@ -248,6 +251,7 @@ export function createMorphExport(app) {
     render();
   }
 
+  const isFlow = () => isHarmonic(lookedAt(app));
   const isStack = () => app.store.document.curves.length > 2;
 
   /** The stages of a stack, with as many from curve to curve as a cubic needs to look like one. */
@@ -260,8 +264,14 @@ export function createMorphExport(app) {
     return found;
   }
 
+  /** Whether there is a harmonic blend to be played. */
+  async function levels() {
+    if (!(await blendOf(app)).ok) throw new Error(flow.noBlend);
+  }
+
   /** The paths of the document as it stands. */
   async function found() {
+    if (isFlow()) throw new Error(flow.noPaths);
     if (isStack()) throw new Error(stackWords.onePath);
     const made = await app.kernel.morphPaths(app.store.document, wanted.kind === "paths" && tolerance !== null ? { tolerance } : {});
     if (!made) throw new Error(words.unmatched);
@@ -282,6 +292,7 @@ export function createMorphExport(app) {
     }
     const { title, materials } = app.store.document;
     const { size, view, layers, patterns, motion } = app.ui.value;
+    if (isFlow()) throw new Error(wanted.shows === "shape" ? flow.noShape : flow.noPlaying);
     if (isStack()) {
       if (wanted.shows === "shape" || !view) throw new Error(stackWords.onePath);
       const closed = app.store.document.curves[0].form !== "open";
@@ -308,7 +319,7 @@ export function createMorphExport(app) {
     const { motion } = app.ui.value;
     const { kind, theme, width, height, transparent, text } = wanted;
     const working = { signal, onframe };
-    if (kind === "png" || kind === "webm") await (isStack() ? stages() : found());
+    if (kind === "png" || kind === "webm") await (isFlow() ? levels() : isStack() ? stages() : found());
     if (kind === "png") {
       const sequence = { width, height, theme, transparent, motion, count: wanted.frames };
       return handed(await pngSequence(app, sequence, title, working), `${title}-frames.zip`);

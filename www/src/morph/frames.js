@@ -14,6 +14,7 @@
  */
 import { Zip, ZipPassThrough } from "fflate";
 import { blobOf, paintOptions } from "../files/pictures.js";
+import { lookedAt } from "../state/look.js";
 import { places } from "./motion.js";
 import { words } from "./words.js";
 
@@ -30,7 +31,7 @@ export const FEWEST_FRAMES = 2;
  * @returns {AsyncGenerator<Picture>}
  */
 export async function* painted(app, { motion, count, ...wanted }, { signal, onframe }) {
-  const { document } = app.store;
+  const document = lookedAt(app);
   const options = paintOptions(app, wanted);
   const all = places(motion, count);
   for (const [i, s] of all.entries()) {

@@ -9,6 +9,7 @@ import { problem } from "../painter.js";
 import { isOpen, placeOn } from "../spline.js";
 import { curveName } from "../state/app.js";
 import { deleteCurve, POINT_LIMIT } from "../state/curve-edits.js";
+import { isHarmonic } from "../state/look.js";
 import { written } from "../state/mix.js";
 import { whole } from "../state/selection.js";
 import { openCurveThrough } from "../state/through-open.js";
@@ -28,8 +29,9 @@ const SAME = 2e-3;
 const selected = ({ store, ui }) => ui.value.selection?.curve ?? store.document.curves.length - 1;
 
 /** A curve at the end of the list; before the first one where that is selected. @param {App} app */
-export function addCurve(app) {
+export async function addCurve(app) {
   const { curves } = app.store.document;
+  if (isHarmonic(app.store.document) && curves.length > 1) return (await import("../harmonic/commands.js")).addInside(app);
   addAt(app, curves.length > 1 && selected(app) === 0 ? "first" : "last");
 }
 

@@ -5,9 +5,11 @@
  */
 import "../../styles/stack.css";
 import { commandReason, commandTitle, runCommand } from "../commands.js";
-import { attribute, h } from "../dom.js";
+import { attribute, h, write } from "../dom.js";
 import { icon } from "../icons.js";
+import { words as flow } from "../harmonic/words.js";
 import { curveName } from "../state/app.js";
+import { isHarmonic } from "../state/look.js";
 import { move, remove } from "./stack-commands.js";
 import { words } from "./words.js";
 
@@ -28,7 +30,7 @@ export function createStackRows(app, list) {
   list.addEventListener("keydown", (event) => {
     const by = event.key === "ArrowUp" ? -1 : event.key === "ArrowDown" ? 1 : 0;
     const index = [...list.children].findIndex((line) => event.target instanceof Node && line.contains(event.target));
-    if (!event.altKey || by === 0 || index < 0) return;
+    if (!event.altKey || by === 0 || index < 0 || isHarmonic(app.store.document)) return;
     event.preventDefault();
     event.stopPropagation();
     if (move(app, index, by)) rowOf(index + by)?.focus();
@@ -67,6 +69,7 @@ export function createStackRows(app, list) {
     render() {
       const { document } = app.store;
       const count = document.curves.length;
+      const isFlow = isHarmonic(document);
       while (tools.length < Math.min(count, list.children.length)) {
         const item = toolsOf(tools.length);
         list.children[tools.length].append(item.element);
@@ -76,6 +79,8 @@ export function createStackRows(app, list) {
         // Two curves have one order, which the command Swap turns round.
         item.element.hidden = count < 3;
         if (index >= count) return;
+        // The curves of a harmonic blend lie side by side, in no order.
+        item.up.hidden = item.down.hidden = isFlow;
         const label = curveName(document, index);
         name(item.up, words.up(label));
         name(item.down, words.down(label));
@@ -84,7 +89,9 @@ export function createStackRows(app, list) {
         item.down.disabled = index === count - 1;
       });
       add.disabled = commandReason(app, "add-curve") !== null;
-      add.title = add.disabled ? commandTitle(app, "add-curve") : words.addHelp;
+      write(add, isFlow ? flow.add : words.add);
+      add.title = add.disabled ? commandTitle(app, "add-curve") : isFlow ? flow.addHelp : words.addHelp;
+      insert.hidden = isFlow;
       insert.disabled = commandReason(app, "insert-curve") !== null;
       insert.title = commandTitle(app, "insert-curve");
     },

@@ -19,6 +19,7 @@ import {
   reversedPoint,
   swapCurves,
 } from "../state/curve-edits.js";
+import { isHarmonic } from "../state/look.js";
 import { allPoints, several, whole, within } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { insertAfter, remove } from "./points.js";
@@ -87,6 +88,7 @@ export function duplicatePoints(app) {
 /** @param {App} app */
 export async function duplicate(app) {
   const { curve } = chosen(app);
+  if (isHarmonic(app.store.document) && app.store.document.curves.length > 1) return (await import("../harmonic/commands.js")).addInside(app, curve);
   if (app.store.document.curves.length > 2) return (await import("../stack/stack-commands.js")).duplicate(app, curve);
   const target = app.store.document.curves.length === 2 ? 1 - curve : 1;
   app.store.commit({ change: (document) => duplicateCurve(document, curve) });

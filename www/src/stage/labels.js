@@ -4,7 +4,7 @@
  *
  * @import { App } from "../state/app.js"
  * @import { CurvesDocument, Match, Point, Size, View } from "../types.js"
- * @import { Isoline } from "../../../js/directrix.js"
+ * @import { Harmonic, Isoline } from "../../../js/directrix.js"
  */
 import { find, h } from "../dom.js";
 import { fixed, percent } from "../format.js";
@@ -13,6 +13,7 @@ import { currentMatch } from "../state/app.js";
 import { seen } from "../state/in-space.js";
 import { Lane } from "../state/lane.js";
 import { shownLines } from "../state/lines.js";
+import { lookedAt } from "../state/look.js";
 import { strings } from "../strings.js";
 import { toScreen } from "../view.js";
 
@@ -57,7 +58,7 @@ export function createLabels(app) {
 
   /** Asks for the lines of the document once it is at rest. */
   function ask() {
-    const { document } = app.store;
+    const document = lookedAt(app);
     const { isoMaterial: material } = app.ui.value;
     if (known?.document === document && known.material === material) return;
     const wanted = `${ids.of(document)} ${material}`;
@@ -74,6 +75,31 @@ export function createLabels(app) {
     return app.store.document.curves.flatMap((curve) => seen(curve).points.map((point) => toScreen(view, size, point)));
   }
 
+  /** @type {{document: CurvesDocument, blend: Harmonic, places: typeof import("../harmonic/labels.js")["levelPlaces"]} | null} */
+  let levels = null;
+  /** @type {CurvesDocument | null} */
+  let askedLevels = null;
+
+  /** Names on the level curves of a harmonic blend, which come once the curves rest. @param {View} view @param {Size} size @param {Label[]} labels */
+  function onLevels(view, size, labels) {
+    const document = lookedAt(app);
+    if (levels?.document === document) {
+      let last = /** @type {Point} */ ([-ROOM, -ROOM]);
+      for (const { s, at } of levels.places(levels.blend, (point) => toScreen(view, size, point), (point) => isFree(point, size))) {
+        if (Math.hypot(at[0] - last[0], at[1] - last[1]) < ROOM) continue;
+        labels.push({ at, text: ` ${fixed(s, 2)}`, isStage: true });
+        last = at;
+      }
+      return;
+    }
+    if (askedLevels === document || app.store.running) return;
+    askedLevels = document;
+    void Promise.all([import("../harmonic/blend.js"), import("../harmonic/labels.js")]).then(async ([{ blendOf }, { levelPlaces }]) => {
+      levels = { document, blend: await blendOf(app, document), places: levelPlaces };
+      render();
+    });
+  }
+
   function render() {
     const { view, size, layers, stageLabels, isoMaterial } = app.ui.value;
     const match = currentMatch(app);
@@ -82,11 +108,12 @@ export function createLabels(app) {
     if (view && match?.ok) {
       if (layers.includes("isoComposition")) {
         ask();
-        if (known?.document === app.store.document && known.material === isoMaterial) {
+        if (known?.document === lookedAt(app) && known.material === isoMaterial) {
           onIsolines(known.lines, view, size, handlePlaces(), labels);
         }
       }
       if (stageLabels && layers.includes("inBetweens")) {
+        if (match.harmonic) onLevels(view, size, labels);
         const [spans, knots] = [match.spans ?? [match], match.knots ?? [0, 1]];
         spans.forEach((span, k) => onInBetweens(app.store.document, span, [knots[k], knots[k + 1]], view, size, labels));
       }

@@ -11,6 +11,7 @@ import { symbol } from "../icons.js";
 import { numberNode } from "../number-node.js";
 import { currentMatch } from "../state/app.js";
 import { shownLines } from "../state/lines.js";
+import { hasLooks, isHarmonic, lookedAt } from "../state/look.js";
 import { strings } from "../strings.js";
 import { triangle } from "../controls/triangle.js";
 import { setHatch } from "../state/hatch.js";
@@ -34,7 +35,9 @@ export function createLegend(app) {
       const { layers, patterns } = app.ui.value;
       const { document } = app.store;
       const range = layers.includes("value") ? valueRange(app) : null;
-      const used = layers.includes("material") ? usedMaterials(document) : [];
+      // The difference of two blends has a legend of its own.
+      const differs = layers.includes("difference") && hasLooks(document) && isHarmonic(lookedAt(app));
+      const used = layers.includes("material") && !differs ? usedMaterials(document) : [];
       const pairs = used.length === 2 && !patterns ? blends(document) : [];
       mark(used);
       const key = JSON.stringify([used, pairs, document.materials, range, patterns]);

@@ -10,6 +10,7 @@ import { attribute, find, h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { icon, symbol } from "../icons.js";
 import { curveName } from "../state/app.js";
+import { isHarmonic, lookedAt } from "../state/look.js";
 import { countsBack, segmentsOf } from "../state/stages.js";
 import { strings } from "../strings.js";
 
@@ -32,7 +33,8 @@ export function createMorph(app) {
   /** Places of the stages. Those of a stack follow the ways between its curves, which the result knows. */
   function places() {
     const { document } = app.store;
-    const [segments, spans] = [segmentsOf(document), Math.max(1, document.curves.length - 1)];
+    // The potential goes from all inner curves to the outer one at once.
+    const [segments, spans] = [segmentsOf(document), isHarmonic(lookedAt(app)) ? 1 : Math.max(1, document.curves.length - 1)];
     const known = app.results.value.match?.knots;
     const knots = known?.length === spans + 1 ? known : Array.from({ length: spans + 1 }, (_, k) => k / spans);
     const between = knots.slice(1).flatMap((to, k) => Array.from({ length: segments }, (_, j) => knots[k] + ((to - knots[k]) * j) / segments));
@@ -72,14 +74,26 @@ export function createMorph(app) {
   }
   play.addEventListener("click", toggle);
 
+  /**
+   * The curves at the ends of the slider; -1: all the inner ones.
+   * @param {CurvesDocument} document
+   * @param {number} end
+   */
+  function endsOf(document, end) {
+    if (!isHarmonic(lookedAt(app)) || end < 1) return [0, end];
+    const outer = app.results.value.match?.harmonic?.outer ?? end;
+    return [end > 1 ? -1 : 1 - outer, outer];
+  }
+
   return {
     toggle,
     render() {
       const { s, playing } = app.ui.value;
       const { document } = app.store;
-      write(first, document.curves[0] ? curveName(document, 0) : "");
       const end = document.curves.length - 1;
-      write(last, end > 0 ? curveName(document, end) : "");
+      const [from, to] = endsOf(document, end);
+      write(first, end < 0 ? "" : from < 0 ? strings.curves.inner : curveName(document, from));
+      write(last, end > 0 ? curveName(document, to) : "");
       write(value, fixed(s, 2));
       const all = places();
       write(stage, stageText(s, all, document));

@@ -35,7 +35,7 @@ export function createProbeCard(app) {
       marks.style.display = card.hidden ? "none" : "";
       if (!probe || !view) return;
       const line = [toScreen(view, size, probe.from), toScreen(view, size, probe.to)];
-      const at = along(line, probe.s);
+      const at = probe.gradient ? toScreen(view, size, probe.at) : along(line, probe.s);
       attribute(ring, "cx", at[0].toFixed(1));
       attribute(ring, "cy", at[1].toFixed(1));
       if (probe !== shown) fill(card, app, probe);
@@ -83,8 +83,9 @@ function fill(card, app, probe) {
   );
   card.replaceChildren(
     head,
-    entry([`${strings.probe.value} `, symbol("f")], numberNode(probe.value)),
-    entry([strings.probe.cosine], fixed(probe.cosine, 3)),
+    ...(probe.gradient
+      ? [entry([strings.probe.gradient], numberNode(probe.value))]
+      : [entry([`${strings.probe.value} `, symbol("f")], numberNode(probe.value)), entry([strings.probe.cosine], fixed(probe.cosine, 3))]),
     entry([strings.probe.length], length(probe.length, unit)),
     bar,
     h(

@@ -10,6 +10,7 @@ import { isOpen, nearestFraction, placeOn } from "../spline.js";
 import { mixAt } from "../state/composition.js";
 import { curveName, currentMatch } from "../state/app.js";
 import { Lane } from "../state/lane.js";
+import { lookedAt } from "../state/look.js";
 import { inSpan, numbered, shownLines } from "../state/lines.js";
 import { strings } from "../strings.js";
 import { toPlane } from "../view.js";
@@ -44,9 +45,9 @@ export function createProbe(app) {
   const lane = new Lane({
     work: async (at, signal) => {
       const turn = wanted;
-      const document = app.store.document;
+      const document = lookedAt(app);
       const probe = (await app.kernel.probe(document, at, { signal })) ?? (await readCurve(document, at, signal));
-      return { probe: probe && app.store.document === document ? numbered(currentMatch(app), probe) : null, turn };
+      return { probe: probe && lookedAt(app) === document ? numbered(currentMatch(app), probe) : null, turn };
     },
     done: ({ probe, turn }) => {
       if (turn !== wanted) return;
@@ -61,7 +62,7 @@ export function createProbe(app) {
     const { view, size, probe } = app.ui.value;
     wanted += 1;
     clearTimeout(rest);
-    if (at && view && shownLines(currentMatch(app)).length > 0) lane.push(toPlane(view, size, at));
+    if (at && view && countOf(app) > 0) lane.push(toPlane(view, size, at));
     else if (probe) app.ui.set({ probe: null });
   }
 
@@ -85,7 +86,7 @@ export function createProbe(app) {
         const found = await app.kernel.probe(document, inside, { signal });
         if (!found) continue;
         const fractions = mixAt(shape.composition, fraction, isOpen(shape));
-        return { ...found, s: knots?.[curve] ?? curve, at: place.at, fractions, boundary: { curve, at: fraction } };
+        return { ...found, s: found.gradient ? Math.round(found.s) : (knots?.[curve] ?? curve), at: place.at, fractions, boundary: { curve, at: fraction } };
       }
     }
     return null;
@@ -97,6 +98,15 @@ export function createProbe(app) {
    * @param {number} s
    */
   async function read(line, s) {
+    if (currentMatch(app)?.harmonic) {
+      wanted += 1;
+      const turn = wanted;
+      const probe = await (await import("../harmonic/blend.js")).readLine(app, line, Math.min(1, Math.max(0, s))).catch(() => null);
+      if (turn !== wanted || !probe) return;
+      app.ui.set({ probe });
+      app.say(spokenFractions(app, probe));
+      return;
+    }
     const chosen = shownLines(currentMatch(app))[line];
     if (!chosen) return;
     const { from, to } = chosen;
@@ -116,12 +126,13 @@ export function createProbe(app) {
   }
 
   keyboard.addEventListener("keydown", (event) => {
-    const lines = shownLines(currentMatch(app)).length;
+    const lines = countOf(app);
     if (lines === 0 || event.ctrlKey || event.metaKey) return;
     const { probe } = app.ui.value;
     const line = probe?.line ?? 0;
     const s = probe?.s ?? 0.5;
     if (event.key === "Escape" && probe) hover(null);
+    else if (event.key === "Enter" && probe?.gradient) void import("../harmonic/words.js").then(({ words }) => app.say(words.noWhy));
     else if (event.key === "Enter" && probe) app.ui.set({ line: probe.line });
     else if (event.key === "ArrowRight") void read(probe ? (line + 1) % lines : 0, s);
     else if (event.key === "ArrowLeft") void read(probe ? (line + lines - 1) % lines : 0, s);
@@ -154,12 +165,18 @@ export function createProbe(app) {
 
     render() {
       const { probe } = app.ui.value;
-      const lines = shownLines(currentMatch(app)).length;
+      const lines = countOf(app);
       attribute(keyboard, "aria-valuemax", String(Math.max(1, lines)));
       attribute(keyboard, "aria-valuenow", String((probe?.line ?? 0) + 1));
       attribute(keyboard, "aria-valuetext", probe ? spoken(app, probe) : strings.probe.line(1));
     },
   };
+}
+
+/** Number of the lines that can be read. @param {App} app */
+function countOf(app) {
+  const match = currentMatch(app);
+  return match?.harmonic?.lines ?? shownLines(match).length;
 }
 
 /** The composition in words. @param {App} app @param {Reading} probe */
@@ -178,7 +195,7 @@ function spoken(app, probe) {
   return strings.probe.spoken([
     strings.probe.line(probe.line + 1),
     `s ${fixed(probe.s, 2)}`,
-    `${strings.probe.value} ${significantText(probe.value)}`,
+    `${probe.gradient ? strings.probe.gradient : strings.probe.value} ${significantText(probe.value)}`,
     `${strings.probe.length} ${length(probe.length, unit)}`,
     ...probe.fractions.flatMap((f, i) => (f > 0 ? [`${materials[i]?.name ?? ""} ${percent(f)}`] : [])),
   ]);

@@ -7,6 +7,7 @@
 import { attribute, find, h, svg, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { isOpen, outline } from "../spline.js";
+import { isHarmonic } from "../state/look.js";
 import { joined } from "../state/open.js";
 import { strings } from "../strings.js";
 import { toPlane, toScreen } from "../view.js";
@@ -47,12 +48,12 @@ export function createReading(app) {
       const shown = layers.includes("grid") && view !== null;
       layer.style.display = shown ? "" : "none";
       if (!shown || !view) return;
-      const key = `${view.center} ${view.scale} ${size.width} ${size.height}`;
+      const key = `${document.blend.kind} ${view.center} ${view.scale} ${size.width} ${size.height}`;
       if (key === drawn && document.curves === curves) return;
       [drawn, curves] = [key, document.curves];
       const [x, y] = toScreen(view, size, [0, 0]).map((value) => Math.round(value) + 0.5);
       attribute(lines, "d", `M${x} 0V${size.height}M0 ${y}H${size.width}`);
-      attribute(clip, "d", outsideBand(document.curves, view, size));
+      attribute(clip, "d", outsideBand(document.curves, view, size, isHarmonic(document)));
     },
   };
 }
@@ -62,14 +63,15 @@ export function createReading(app) {
  * @param {Curve[]} curves
  * @param {View} view
  * @param {Size} size
+ * @param {boolean} isFlow whether all curves lie in one
  */
-function outsideBand(curves, view, size) {
+function outsideBand(curves, view, size, isFlow) {
   const all = `M-9-9H${size.width + 9}V${size.height + 9}H-9Z`;
   if (curves.length < 2) return all;
   const chains = curves.map((curve) => outline(curve).map(({ at }) => at));
   // A stack lies between its first and its last curve.
   const [first, last] = [chains[0], chains[chains.length - 1]];
-  const loops = isOpen(curves[0]) ? [joined(first, last)] : [first, last];
+  const loops = isFlow ? chains : isOpen(curves[0]) ? [joined(first, last)] : [first, last];
   const rings = loops.map((loop) =>
     loop.map((at) => toScreen(view, size, at).map((value) => value.toFixed(1)).join(" ")).join("L"),
   );

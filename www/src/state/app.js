@@ -25,6 +25,7 @@
  * @property {LayerName[]} layers
  * @property {number} isoMaterial index of the material whose lines of equal fraction are shown
  * @property {boolean} patterns hatches stand in for the colours of the materials
+ * @property {"ruled" | "harmonic" | null} look the blend that two closed curves are seen with, without a change of the document; null: its own
  * @property {boolean} stageLabels whether the in-betweens have names
  * @property {boolean} composing whether composition keys stand on the curves in place of the control points
  * @property {{curve: number, index: number} | null} key the chosen composition key
@@ -77,6 +78,7 @@
  */
 import { strings } from "../strings.js";
 import { seen } from "./in-space.js";
+import { isHarmonic, lookedAt } from "./look.js";
 
 /** Layers in the order of the panel, with the ones shown at first. */
 export const LAYERS = /** @type {const} */ ([
@@ -91,6 +93,7 @@ export const LAYERS = /** @type {const} */ ([
   "unitCells",
   "unconnected",
   "isoComposition",
+  "difference",
 ]);
 
 /** @type {readonly LayerName[]} */
@@ -116,16 +119,17 @@ export function curveName(document, index) {
   const own = document.curves[index]?.name;
   if (own) return own;
   if (document.curves.length < 2) return strings.curves.one;
-  if (document.curves.length > 2) return strings.curves.nth(letterOf(index));
+  const isBlend = isHarmonic(document);
+  if (document.curves.length > 2 && !isBlend) return strings.curves.nth(letterOf(index));
   const reach = document.curves.map((curve) => {
     const { points } = seen(curve);
     const xs = points.map((p) => p[0]);
     const ys = points.map((p) => p[1]);
     return (Math.max(...xs) - Math.min(...xs)) * (Math.max(...ys) - Math.min(...ys));
   });
-  const [first = 0, second = 0] = reach;
-  const outer = first > second ? 0 : 1;
-  return index === outer ? strings.curves.outer : strings.curves.inner;
+  // Of a harmonic blend the outer curve contains all others, and its box is the largest.
+  if (index === reach.lastIndexOf(Math.max(...reach))) return strings.curves.outer;
+  return document.curves.length > 2 ? strings.curves.nthInner(letterOf(index)) : strings.curves.inner;
 }
 
 /** The letter of a curve: A is the first. @param {number} curve */
@@ -144,10 +148,10 @@ export function pointName(curve, point) {
 }
 
 /**
- * The part of the results that belongs to the document as it stands now.
+ * The part of the results that belongs to the document as it stands now and is looked at.
  * @param {App} app
  */
 export function currentMatch(app) {
   const { match, matched } = app.results.value;
-  return matched === app.store.document ? match : null;
+  return matched === lookedAt(app) ? match : null;
 }

@@ -6,6 +6,7 @@
 import { isOpen, unrolled } from "../spline.js";
 import { changeCurve, handleCount, placePoints, tidy } from "./edits.js";
 import { seen } from "./in-space.js";
+import { isHarmonic } from "./look.js";
 import { nesting } from "./nest.js";
 
 /** Most control points and the highest degree the format allows. */
@@ -18,7 +19,10 @@ export const DEGREES = { min: 2, max: 32 };
  * @param {number} chosen
  * @returns {{index: number, replaces: boolean}}
  */
-export function placeForCurve({ curves }, chosen) {
+export function placeForCurve(document, chosen) {
+  const { curves } = document;
+  // Inside of the outer curve of a harmonic blend there is room for more.
+  if (isHarmonic(document) && curves.length > 1) return { index: curves.length, replaces: false };
   if (curves.length < 2) return { index: curves.length === 0 ? 0 : 1, replaces: false };
   return { index: chosen === 0 ? 0 : 1, replaces: true };
 }
@@ -36,7 +40,10 @@ export function putShape(document, index, shape) {
   const material = Math.min(index, document.materials.length - 1);
   const mix = document.materials.map((_, i) => (i === material ? 1 : 0));
   const curve = { ...shape, height: 0, composition: [{ at: 0, mix }] };
-  return { ...document, curves: [...document.curves, curve] };
+  const { sampling } = document;
+  const counts = sampling.counts.slice(0, Math.max(2, index));
+  if (counts.length <= index) counts.push(counts[counts.length - 1]);
+  return { ...document, curves: [...document.curves, curve], sampling: { ...sampling, counts } };
 }
 
 /**
