@@ -35,6 +35,18 @@ function whole(engine, name, shown = name) {
  * @property {() => Partial<import("./directrix.js").Progress>} end what is done
  */
 
+/**
+ * A harmonic blend with its numbers beside its lists.
+ *
+ * @param {any} found
+ * @returns {import("./directrix.js").Harmonic}
+ */
+function harmonicOf({ summary, outer, ...rest }) {
+  const none = { outer, segments: 0, crossings: 0, lost: 0, iterations: 0, residual: 0, flux: 0, fluxBalance: 0, area: 0, amounts: [], vertices: 0, triangles: 0 };
+  const { lines: _, ...numbers } = summary ?? none;
+  return { ...rest, ...numbers };
+}
+
 /** The levels of isolines that are not asked for. */
 const TENTHS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
 
@@ -86,9 +98,47 @@ export function createApi(engine) {
    * @param {import("./directrix.js").PictureOptions} options
    * @returns {Work}
    */
-  const painted = (text, options) => {
+  const drawn = (text, options) => {
     const painting = start(text, options);
     return { step: (budget) => ask(() => painting.step(budget)), end: () => ask(() => ({ picture: painting.picture() })) };
+  };
+  /**
+   * A picture, before which blends are compared where it shows how they differ.
+   *
+   * @param {string} text
+   * @param {import("./directrix.js").PictureOptions} options
+   * @param {boolean} coarse
+   * @returns {Work}
+   */
+  const painted = (text, options, coarse) => {
+    const { coarse: _, ...rest } = options;
+    const needs = "showsDifference" in engine && ask(() => whole(engine, "harmonic").showsDifference(text, coarse, toText(rest, "options")));
+    if (!needs) return drawn(text, options);
+    /** @type {Work | undefined} */
+    let work;
+    const first = compared(text, coarse, true);
+    const step = (/** @type {number} */ budget) => {
+      if (work) return 0.5 + work.step(budget) / 2;
+      const share = first.step(budget);
+      if (share === 1) work = drawn(text, options);
+      return share / 2;
+    };
+    return { step, end: () => /** @type {Work} */ (work).end() };
+  };
+  /**
+   * A harmonic blend, compared with the ruled one where that is asked for.
+   *
+   * @param {string} text
+   * @param {boolean} coarse
+   * @param {boolean} difference
+   * @returns {Work}
+   */
+  const compared = (text, coarse, difference) => {
+    const own = ask(() => whole(engine, "harmonic"));
+    return {
+      step: (budget) => (difference ? ask(() => own.compare(text, coarse, budget)) : 1),
+      end: () => ({ harmonic: ask(() => harmonicOf(own.harmonic(text, coarse, difference))) }),
+    };
   };
   /**
    * @param {"solid" | "solidFile"} name
@@ -248,6 +298,8 @@ export function createApi(engine) {
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
     morphPaths: (document, options = {}) =>
       ask(() => whole(engine, "morphPaths").morphPaths(toText(document), toText(options, "options"))),
+    harmonic: (document, { coarse = false, difference = false } = {}) =>
+      ask(() => harmonicOf(whole(engine, "harmonic").harmonic(toText(document), coarse, difference))),
     amounts: (document) => ask(() => whole(engine, "amounts").amounts(toText(document))),
     solid: (document, options = {}) => model("solid", ask(() => toText(document)), options).run(),
     solidFile: (document, options) => model("solidFile", ask(() => toText(document)), options).run(),
@@ -283,7 +335,8 @@ export function createApi(engine) {
       return { ...answer("part", {}), ...partMethods((question, args) => answer(question, partArguments(question, args))) };
     },
     job(document, options = {}) {
-      const { paint, solid, solidFile, hyperpatch, part, distanceTransform, solveLaplace, boundary, coarse = paint?.coarse ?? false, greedy = false } = options;
+      const { paint, solid, solidFile, harmonic, hyperpatch, part, distanceTransform, solveLaplace, boundary } = options;
+      const { coarse = paint?.coarse ?? harmonic?.coarse ?? false, greedy = false } = options;
       const ofLaplace = options.laplace
         ? askingLaplace(options.laplace.solution, options.laplace.question, options.laplace, ask)
         : solveLaplace && solving(ask(() => whole(engine, "laplace", "solveLaplace")), solveLaplace, ask);
@@ -303,7 +356,8 @@ export function createApi(engine) {
       const text = ask(() => (greedy ? greedyText(engine, /** @type {any} */ (document)) : toText(document)));
       /** @type {(() => Work) | undefined} */
       let next;
-      if (paint) next = () => painted(text, paint);
+      if (paint) next = () => painted(text, paint, coarse);
+      else if (harmonic) next = () => compared(text, coarse, harmonic.difference ?? false);
       else if (solid) next = () => model("solid", text, solid);
       else if (solidFile) next = () => model("solidFile", text, solidFile);
       /** @type {Work | undefined} */

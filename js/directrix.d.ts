@@ -41,7 +41,8 @@ export type LayerName =
   | "normals"
   | "grid"
   | "value"
-  | "isoComposition";
+  | "isoComposition"
+  | "difference";
 
 /** A curves document; docs/format.md defines every field. */
 export interface CurvesDocument {
@@ -85,7 +86,14 @@ export interface CurvesDocument {
     pins?: { u: number; v: number; pair?: number }[];
     printed?: ("normals" | "negative" | "stop" | "removal" | "order" | "heights" | "stages")[];
   };
-  blend?: { kind?: "ruled" | "cubic" | "harmonic"; stages?: number };
+  blend?: {
+    kind?: "ruled" | "cubic" | "harmonic";
+    stages?: number;
+    /** Of the kind `harmonic`: number of lines along the gradient. */
+    lines?: number;
+    /** Of the kind `harmonic`: segments of each curve. */
+    segments?: number;
+  };
   view?: { layers?: LayerName[]; center?: Point; span?: number; s?: number; isoMaterial?: number; patterns?: boolean };
 }
 
@@ -234,11 +242,13 @@ export interface Projection {
 
 /** A remark on the geometry, or why there is no complete matching. */
 export interface Diagnostic {
-  code: "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "order" | "overlap" | "no-thread" | "flat" | "open-sheet" | "uncapped" | "rounded";
+  code: "several-inner" | "open-curves" | "curves-meet" | "no-outer" | "nested" | "heights-ignored" | "no-field" | "lost-lines" | "no-ruled-blend" | "incomplete" | "corner" | "sample-limit" | "opposed-normals" | "orphan" | "stuck" | "solvable" | "jammed" | "pins" | "ends" | "left-out" | "occluded" | "unverified" | "unverified-gap" | "disjoint" | "crossing" | "coarse-sampling" | "order" | "overlap" | "no-thread" | "flat" | "open-sheet" | "uncapped" | "rounded";
   message: string;
   /** Of a stack: the span that the remark is about, whose lines and vertices it numbers. */
   span?: number;
   curve?: number;
+  /** Several curves that it concerns. */
+  curves?: number[];
   vertices?: number[];
   lines?: number[];
   /** Indices of pins. */
@@ -345,6 +355,8 @@ export interface Match {
   knots?: number[];
   /** Of a stack alone: the parameters of every thread on every curve, ascending beyond the ends of the domains; empty unless `ok`. */
   threads?: number[][];
+  /** Of a harmonic blend alone, which has no ruling lines: its numbers. */
+  harmonic?: HarmonicNumbers & { lines: number };
   /** Of curves in space. */
   projection?: Projection;
 }
@@ -491,6 +503,12 @@ export interface Probe {
   length: number;
   from: Point;
   to: Point;
+  /**
+   * Of a harmonic blend alone: the gradient of the potential, per unit of length. There `s` is the potential, 0 on the inner curves to 1 on the outer one;
+   * `line` is the nearest line along the gradient, whose ends `u`, `v`, `from` and `to` are, and `length` that of the curved line; `value` is the length of
+   * the gradient.
+   */
+  gradient?: Point;
 }
 
 /**
@@ -593,6 +611,8 @@ export interface Progress {
   solid?: Solid;
   /** Of a job that writes a file, when it is done. */
   file?: Uint8Array;
+  /** Of a job that asks for a harmonic blend, when it is done. */
+  harmonic?: Harmonic;
   /** Of a job that answers a question about a body, when it is done: what the method of that name returns. */
   answer?: any;
   /** Of a distance transform, when it is done. */
@@ -703,10 +723,67 @@ export interface SolidFileOptions extends SolidOptions {
 }
 
 /** What a job does besides solving: one thing at most. */
+export interface HarmonicOptions extends MatchOptions {
+  /** Whether a blend of two curves is compared with the ruled one that `matching` describes. */
+  difference?: boolean;
+}
+
+/** The harmonic blend of nested curves. Without one `ok` is false, `outer` null and the lists are empty; `diagnostics` say why. */
+export interface Harmonic extends HarmonicNumbers {
+  ok: boolean;
+  diagnostics: Diagnostic[];
+  /** As `Match.coarse`. */
+  coarse: boolean;
+  /** The in-between curves of the stages: closed, x and y of each point; a level may be several loops. */
+  levels: { value: number; loops: Float64Array[] }[];
+  /** Lines along the gradient from the inner curves to the outer one: x and y of each point. */
+  lines: Float64Array[];
+  /** The inner curve of each line. */
+  lineCurves: Uint32Array;
+  /** Of each line the parameter on its inner curve and that on the outer one, on the counter-clockwise curves. */
+  lineParameters: Float64Array;
+  /** null unless asked for, of two curves whose ruled blend is complete. */
+  difference: HarmonicDifference | null;
+}
+
+/** Half the sum over the materials of the differences of the fractions, 0 to 1. */
+export interface HarmonicDifference {
+  largest: number;
+  /** Where it is largest. */
+  at: Point;
+  /** Mean over the area. */
+  mean: number;
+}
+
+/** Numbers of a harmonic blend. */
+export interface HarmonicNumbers {
+  /** The curve that contains the others. */
+  outer: number | null;
+  /** Segments of all curves. */
+  segments: number;
+  /** Pairs of lines that meet; lines that did not come to the outer curve and are left out. */
+  crossings: number;
+  lost: number;
+  /** Most iterations for a quantity, and the largest residual over the right-hand side. */
+  iterations: number;
+  residual: number;
+  /** What flows from the outer curve to the others, and the share of it that is missing on one side. */
+  flux: number;
+  fluxBalance: number;
+  /** Area between the curves, and how much of each material is there. */
+  area: number;
+  amounts: number[];
+  /** What the picture is made of. */
+  vertices: number;
+  triangles: number;
+}
+
 export interface JobOptions extends MatchOptions {
   paint?: PictureOptions;
   solid?: SolidOptions;
   solidFile?: SolidFileOptions;
+  /** The options of `harmonic`: the last step has that. */
+  harmonic?: HarmonicOptions;
   /** A question about a hyperpatch document: the name of a method of `Hyperpatch`, or `cells`, and its arguments by their names. */
   hyperpatch?: { question: Exclude<keyof Hyperpatch, "operations">; rest?: object };
   /** A question about a part document: the name of a method of `Part`, or `part`, and its arguments by their names. */
@@ -1391,6 +1468,8 @@ export interface Directrix {
    * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
    */
   morphPaths(document: DocumentInput, options?: MorphPathsOptions): MorphPaths | null;
+  /** The blend of a document of the kind `harmonic`. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  harmonic(document: DocumentInput, options?: HarmonicOptions): Harmonic;
   /**
    * null unless the matching is complete or repaired. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
    */

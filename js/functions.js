@@ -19,6 +19,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "fitCurve",
   "morphPaths",
   "amounts",
+  "harmonic",
   "solid",
   "solidFile",
   "hyperpatch",

@@ -11,7 +11,8 @@
  * @param {import("./directrix.js").Match} match
  * @returns {string}
  */
-export function describe({ ok, diagnostics, totals, samples, gap, gapKind, spans }) {
+export function describe({ ok, diagnostics, totals, samples, gap, gapKind, spans, harmonic }) {
+  if (harmonic) return describeHarmonic(samples.length, harmonic);
   if (spans) return describeStack({ ok, diagnostics, spans });
   const shown = totals.pairs ?? totals.lines;
   if (samples.length < 2) return samples.length === 0 ? "No curve yet" : "One curve, not matched yet";
@@ -29,6 +30,24 @@ export function describe({ ok, diagnostics, totals, samples, gap, gapKind, spans
     gaps > 0 && `${counted(gaps, "gap keeps", "gaps keep")} lines that share ends`,
     eta !== null && `eta ${eta.toFixed(3)}`,
     gapKind === "lattice" && gap !== null && gap >= 5e-4 && `${(gap * 100).toFixed(1)} % below the optimum`,
+  ]
+    .filter(Boolean)
+    .join(", ");
+}
+
+/**
+ * A harmonic blend.
+ *
+ * @param {number} curves
+ * @param {NonNullable<import("./directrix.js").Match["harmonic"]>} numbers
+ */
+function describeHarmonic(curves, { lines, crossings, lost, fluxBalance }) {
+  return [
+    `Harmonic blend of ${curves} curves`,
+    counted(lines, "line along the gradient", "lines along the gradient"),
+    `${crossings || "none"} crossing`,
+    lost > 0 && `${lost} left out`,
+    `heat flow balanced to ${(100 * fluxBalance).toPrecision(1)} %`,
   ]
     .filter(Boolean)
     .join(", ");

@@ -45,7 +45,7 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
   }
   if ("answer" in state) return { value: state.answer, spent };
   if (state.distances) return { value: state.distances, spent };
-  return { value: state.picture ?? state.solid ?? state.file ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
+  return { value: state.picture ?? state.solid ?? state.file ?? state.harmonic ?? /** @type {any} */ (dx)[name](text, ...rest), spent };
 }
 
 /**
@@ -56,6 +56,7 @@ export async function inTurns(dx, { name, args }, { isWanted, onprogress }) {
  */
 function goal(name, options) {
   if (name === "paint") return { paint: options };
+  if (name === "harmonic") return { harmonic: options ?? {} };
   if (name === "solid") return { solid: options ?? {} };
   if (name === "solidFile") return { solidFile: options };
   if (name === "hyperpatch") return { hyperpatch: options };

@@ -1,7 +1,6 @@
 //! Unit cells and amounts of materials: closed forms on rings and strips, shoelaces, other quadratures, and rates of convergence.
 
-mod support;
-
+use crate::support::seeded;
 use directrix::curve::{BSpline, Form};
 use directrix::document::{BandAmounts, Solution, Solve, amounts as amounts_of, read_text};
 use directrix::geom::signed_area;
@@ -12,7 +11,6 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
 use std::fs;
-use support::seeded;
 
 /// Control points of the circle below.
 const ROUND: usize = 256;

@@ -1,18 +1,14 @@
 //! What exact results certify, checked again by slow plain geometry; and that the optimum does not depend on how curves are drawn.
 
-#[path = "support/pairs.rs"]
-mod pairs;
-mod support;
-
+use crate::support::pairs::Picture;
+use crate::support::seeded;
 use directrix::document::{Diagnostic, GapKind, Model, Outcome, Solution, Solve, read_text};
 use directrix::matching::{Matching, OneToOne, Refine};
 use glam::{DVec2, dvec2};
-use pairs::Picture;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::Path;
-use support::seeded;
 
 fn list(points: &[DVec2]) -> Value {
     points.iter().map(|p| json!(p.to_array())).collect()

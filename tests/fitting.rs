@@ -1,13 +1,11 @@
 //! Fitting: known shapes, counts of control points and rates, corners, ends of strokes, and random input. Every error that is
 //! reported is compared with distances found by brute force.
 
-mod support;
-
+use crate::support::seeded;
 use directrix::curve::{BSpline, CornerRule, EndRule, Fit, FitError, FitOptions, Form, MOST_FIT_POINTS, fit};
 use glam::{DVec2, dvec2};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
-use support::seeded;
 
 fn options(tolerance: f64) -> FitOptions {
     FitOptions {

@@ -2,15 +2,13 @@
 
 #![cfg(feature = "import")]
 
-mod support;
-
+use crate::support::seeded;
 use directrix::curve::{CornerRule, EndRule, FitOptions, fit};
 use directrix::document::{Code, DocumentError};
 use directrix::import::{Format, LONGEST_TEXT, MOST_SHAPES, Shape, Shapes, read_shapes};
 use glam::{DVec2, dvec2};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
-use support::seeded;
 
 fn read(text: &str) -> Shapes {
     read_shapes(text, Format::Auto).unwrap_or_else(|error| panic!("{error}"))

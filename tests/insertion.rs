@@ -1,17 +1,13 @@
 //! One-to-one pairs from end to end: on circles by closed form, on random shapes by a slow checker.
 
-#[path = "support/pairs.rs"]
-mod pairs;
-mod support;
-
+use crate::support::pairs::Picture;
+use crate::support::seeded;
 use directrix::document::{Diagnostic, Outcome, Solution, Solve, read_text};
 use directrix::matching::{Matching, OneToOne, RulingLine, round_to_40_bits};
 use glam::{DVec2, dvec2};
-use pairs::Picture;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use support::seeded;
 
 fn ring(radius: f64, count: usize, turn: f64) -> Value {
     let point = |k: usize| radius * DVec2::from_angle(turn + TAU * k as f64 / count as f64);

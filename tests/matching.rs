@@ -1,7 +1,7 @@
 //! Matching from end to end: against a literal reading of the paper, against closed forms, under symmetries.
 
-mod support;
-
+use crate::support::outlines::{Shape, circle, random_pair};
+use crate::support::seeded;
 use directrix::geom::segments_meet;
 use directrix::matching::{
     Layout, Matching, NegativeProducts, Outline, Problem, RulingLine, Weights, blocking_edge, greedy, prune,
@@ -10,8 +10,6 @@ use directrix::matching::{
 use glam::{DAffine2, DVec2, dvec2};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
-use support::outlines::{Shape, circle, random_pair};
-use support::seeded;
 
 fn problem(first: Outline, second: Outline, weights: Weights) -> Problem {
     Problem::new([first, second], weights, 0.0).expect("nested simple outlines")

@@ -1,7 +1,5 @@
 //! Every method of matching, through documents: on the presets, with pins, with repair, with heights, as printed.
 
-mod support;
-
 use directrix::curve::BSpline;
 use directrix::document::{Diagnostic, GapKind, Outcome, Solution, Solve, read_text};
 use directrix::matching::{OneToOne, Totals, places_of};

@@ -1,20 +1,16 @@
 //! Open curves: closed forms, every path by brute force, certificates checked by slow geometry, and independence of how curves are drawn.
 
-#[path = "support/pairs.rs"]
-mod pairs;
-mod support;
-
+use crate::support::pairs::Picture;
+use crate::support::seeded;
 use directrix::document::{Code, Diagnostic, Outcome, Solution, Solve, read_text};
 use directrix::matching::{
     Bound, Ends, ExactOptions, Layout, Objective, Outline, Policy, Problem, RulingLine, Totals, Weights,
     exact, greedy, measure, one_per_vertex, trace, vertex_sets,
 };
 use glam::{DVec2, dvec2};
-use pairs::Picture;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
-use support::seeded;
 
 fn list(points: &[DVec2]) -> Value {
     points.iter().map(|p| json!(p.to_array())).collect()

@@ -1,8 +1,7 @@
 //! Solids end to end: closed forms, checks by a slow and independent reader, and documents that strain them.
 #![cfg(feature = "solid")]
 
-mod support;
-
+use crate::support::seeded;
 use directrix::document::{
     Code, Json, Outcome, Solid, SolidColor, SolidJob, SolidOptions, Solution, Solve, insert_point, read_text,
     why_no_solid, write_text,
@@ -14,7 +13,6 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_6, PI, TAU};
 use std::rc::Rc;
-use support::seeded;
 
 fn list(points: &[DVec2]) -> Value {
     points.iter().map(|p| json!(p.to_array())).collect()

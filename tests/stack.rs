@@ -2,8 +2,7 @@
 
 #![cfg(feature = "stack")]
 
-mod support;
-
+use crate::support::seeded;
 use directrix::document::{Diagnostic, Json, Outcome, Solution, Solve, read_text, span_document, write_text};
 use directrix::geom::locate;
 use directrix::morph::{Refined, StackBlend, Weave};
@@ -12,7 +11,6 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use support::seeded;
 
 /// A periodic cubic whose control points lie evenly on a circle: its samples lie on a circle but for the ripple of the spline.
 fn ring(radius: f64, count: usize, height: f64) -> Value {

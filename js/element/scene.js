@@ -266,7 +266,8 @@ export class Scene {
       const match = await kernel.call("match", [text, {}], { ...control });
       if (this.#incoming !== incoming) return;
       this.document = document;
-      this.stages = completed.blend.stages * Math.max(1, document.curves.length - 1);
+      const spans = completed.blend.kind === "harmonic" ? 1 : Math.max(1, document.curves.length - 1);
+      this.stages = completed.blend.stages * spans;
       this.layers = null;
       this.#s = document.view?.s ?? FIRST_S;
       this.#isMoving = false;

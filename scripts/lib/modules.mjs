@@ -21,7 +21,7 @@ import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
 /** @type {Module[]} */
 export const modules = [
   { name: "figure", file: "directrix", features: "curves" },
-  { name: "full", file: "directrix_full", features: "curves,hyperpatch,part,import,edit,explain,paths,stack,amounts,solid,svg,field,laplace" },
+  { name: "full", file: "directrix_full", features: "curves,hyperpatch,part,import,edit,explain,paths,stack,amounts,solid,svg,field,laplace,harmonic" },
 ];
 
 /** The lane of everything that cargo does in its folder for releases. */

@@ -59,7 +59,7 @@ async function readPresets() {
   };
   const presets = await Promise.all(index.map(async (preset) => ({ ...preset, document: await grown(preset.id) })));
   // Methods are compared on pairs; a stack is several of them, and of curves in space they see a projection.
-  return presets.filter(({ document: { curves } }) => curves.length === 2 && curves[0].points[0].length === 2);
+  return presets.filter(({ document: { blend, curves } }) => blend?.kind !== "harmonic" && curves.length === 2 && curves[0].points[0].length === 2);
 }
 
 /** @param {Preset[]} presets */

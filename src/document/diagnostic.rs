@@ -136,6 +136,67 @@ pub enum Diagnostic {
     /// No thread leads through all curves of an open stack: free ends leave nothing that all spans cover.
     #[cfg(feature = "stack")]
     NoThread,
+    /// Several curves lie side by side in one: ruling lines join a curve with one other.
+    #[cfg(feature = "harmonic")]
+    SeveralInner {
+        /// Number of the curve that contains the others.
+        outer: usize,
+        /// Numbers of the others.
+        curves: Vec<usize>,
+    },
+    /// Curves of a harmonic blend that are open.
+    #[cfg(feature = "harmonic")]
+    OpenCurves {
+        /// Their numbers.
+        curves: Vec<usize>,
+    },
+    /// Two curves of a harmonic blend meet.
+    #[cfg(feature = "harmonic")]
+    CurvesMeet {
+        /// Their numbers.
+        curves: [usize; 2],
+        /// Where.
+        at: DVec2,
+    },
+    /// No curve of a harmonic blend contains all others.
+    #[cfg(feature = "harmonic")]
+    NoOuter {
+        /// Numbers of those that lie in no other.
+        curves: Vec<usize>,
+        /// A point of the second one.
+        at: DVec2,
+    },
+    /// A curve inside of a harmonic blend contains another.
+    #[cfg(feature = "harmonic")]
+    Nested {
+        /// Number of the curve inside the other, and of the other.
+        curves: [usize; 2],
+        /// A point of the first of them.
+        at: DVec2,
+    },
+    /// Curves of a harmonic blend whose height is not that of the outer one, which does not count.
+    #[cfg(feature = "harmonic")]
+    HeightsIgnored {
+        /// Their numbers.
+        curves: Vec<usize>,
+    },
+    /// Laplace's equation could not be solved between the curves of a harmonic blend.
+    #[cfg(feature = "harmonic")]
+    NoField {
+        /// Why.
+        reason: String,
+        /// A place, where there is one.
+        at: Option<DVec2>,
+    },
+    /// Lines along the gradient that did not come to the outer curve and are left out.
+    #[cfg(feature = "harmonic")]
+    LostLines {
+        /// How many.
+        count: usize,
+    },
+    /// The ruled blend with which a harmonic one is compared is not complete.
+    #[cfg(feature = "harmonic")]
+    NoRuledBlend,
 }
 
 impl Diagnostic {
@@ -168,6 +229,24 @@ impl Diagnostic {
             Self::Overlap { .. } => "overlap",
             #[cfg(feature = "stack")]
             Self::NoThread => "no-thread",
+            #[cfg(feature = "harmonic")]
+            Self::SeveralInner { .. } => "several-inner",
+            #[cfg(feature = "harmonic")]
+            Self::OpenCurves { .. } => "open-curves",
+            #[cfg(feature = "harmonic")]
+            Self::CurvesMeet { .. } => "curves-meet",
+            #[cfg(feature = "harmonic")]
+            Self::NoOuter { .. } => "no-outer",
+            #[cfg(feature = "harmonic")]
+            Self::Nested { .. } => "nested",
+            #[cfg(feature = "harmonic")]
+            Self::HeightsIgnored { .. } => "heights-ignored",
+            #[cfg(feature = "harmonic")]
+            Self::NoField { .. } => "no-field",
+            #[cfg(feature = "harmonic")]
+            Self::LostLines { .. } => "lost-lines",
+            #[cfg(feature = "harmonic")]
+            Self::NoRuledBlend => "no-ruled-blend",
         }
     }
 }
@@ -288,6 +367,79 @@ impl fmt::Display for Diagnostic {
             Self::NoThread => {
                 write!(f, "no line leads through all curves; `ends` that are `tied` leave no curve out")
             }
+            #[cfg(feature = "harmonic")]
+            Self::SeveralInner { outer, curves } => write!(
+                f,
+                "{} lie side by side in curve {outer}: ruling lines join a curve with one other; the blend `harmonic` takes several inner curves",
+                Curves(curves)
+            ),
+            #[cfg(feature = "harmonic")]
+            Self::OpenCurves { curves } => {
+                let verb = if curves.len() == 1 { "is" } else { "are" };
+                write!(f, "{} {verb} open; expected closed curves for the blend `harmonic`", Curves(curves))
+            }
+            #[cfg(feature = "harmonic")]
+            Self::CurvesMeet { curves, at } => {
+                write!(f, "{} meet", Curves(curves))?;
+                near(f, at)?;
+                write!(f, "; expected curves that keep apart, whatever their heights")
+            }
+            #[cfg(feature = "harmonic")]
+            Self::NoOuter { curves, at } => {
+                write!(
+                    f,
+                    "{} lie in no other curve; expected one curve that contains all others: see",
+                    Curves(curves)
+                )?;
+                near(f, at)
+            }
+            #[cfg(feature = "harmonic")]
+            Self::Nested { curves: [inner, outer], at } => {
+                write!(f, "curve {inner} lies inside curve {outer}, which lies inside another")?;
+                near(f, at)?;
+                write!(f, "; expected inner curves side by side")
+            }
+            #[cfg(feature = "harmonic")]
+            Self::HeightsIgnored { curves } => write!(
+                f,
+                "the heights of {} do not count: the blend `harmonic` takes all curves in one plane",
+                Curves(curves)
+            ),
+            #[cfg(feature = "harmonic")]
+            Self::NoField { reason, at } => {
+                write!(f, "there is no harmonic blend: {reason}")?;
+                at.iter().try_for_each(|at| near(f, at))
+            }
+            #[cfg(feature = "harmonic")]
+            Self::LostLines { count } => {
+                write!(
+                    f,
+                    "{count} lines along the gradient did not come to the outer curve; take more segments"
+                )
+            }
+            #[cfg(feature = "harmonic")]
+            Self::NoRuledBlend => write!(
+                f,
+                "the ruled blend of these curves is not complete, so that there is nothing to compare with"
+            ),
+        }
+    }
+}
+
+/// Numbers of curves as a person reads them.
+#[cfg(feature = "harmonic")]
+struct Curves<'a>(&'a [usize]);
+
+#[cfg(feature = "harmonic")]
+impl fmt::Display for Curves<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            [one] => write!(f, "curve {one}"),
+            [first @ .., last] => {
+                let names: Vec<String> = first.iter().map(usize::to_string).collect();
+                write!(f, "curves {} and {last}", names.join(", "))
+            }
+            [] => f.write_str("no curves"),
         }
     }
 }

@@ -10,6 +10,12 @@ use super::schema::{
 use super::{Code, DocumentError};
 use crate::curve::Fineness;
 
+/// Lines and segments of a harmonic blend that names none.
+#[cfg(feature = "harmonic")]
+const HARMONIC_LINES: usize = 44;
+#[cfg(feature = "harmonic")]
+const HARMONIC_SEGMENTS: usize = 200;
+
 type Read<T> = Result<T, DocumentError>;
 
 /// Most curves of a stack.
@@ -314,17 +320,34 @@ fn printed(list: &Node<'_>) -> Read<Vec<PrintedRule>> {
 }
 
 fn blend(node: &Node<'_>) -> Read<Blend> {
-    node.only(&["kind", "stages"])?;
+    node.only(&["kind", "stages", "lines", "segments"])?;
     let default = Blend::default();
     let kind = match node.get("kind")? {
         None => default.kind,
         Some(kind) => match kind.choice(&["ruled", "cubic", "harmonic"])? {
             0 => BlendKind::Ruled,
             1 => BlendKind::Cubic,
-            _ => return Err(kind.not_yet("the blends `harmonic`, for several inner contours,")),
+            #[cfg(feature = "harmonic")]
+            _ => BlendKind::Harmonic,
+            #[cfg(not(feature = "harmonic"))]
+            _ => {
+                let message = "the blend `harmonic` needs the module \"full\"";
+                return Err(kind.error(Code::NotInModule, message.to_owned()));
+            }
         },
     };
-    Ok(Blend { kind, stages: node.get("stages")?.map_or(Ok(default.stages), |n| n.count_within(1..=200))? })
+    let stages = node.get("stages")?.map_or(Ok(default.stages), |n| n.count_within(1..=200))?;
+    // The module of figures computes no harmonic blend: it passes over what belongs to one.
+    #[cfg(not(feature = "harmonic"))]
+    let (lines, segments) = (None, None);
+    #[cfg(feature = "harmonic")]
+    let (lines, segments) = {
+        let own = |default: usize| (kind == BlendKind::Harmonic).then_some(default);
+        let lines = node.get("lines")?.map(|n| n.count_within(1..=400)).transpose()?;
+        let segments = node.get("segments")?.map(|n| n.count_within(16..=1000)).transpose()?;
+        (lines.or(own(HARMONIC_LINES)), segments.or(own(HARMONIC_SEGMENTS)))
+    };
+    Ok(Blend { kind, stages, lines, segments })
 }
 
 fn view(node: &Node<'_>, materials: usize) -> Read<View> {

@@ -13,6 +13,8 @@ mod diagnostic;
 mod direction;
 mod error;
 mod fields;
+#[cfg(feature = "harmonic")]
+mod harmonic;
 #[cfg(feature = "hyperpatch")]
 mod hyperpatch;
 #[cfg(feature = "edit")]
@@ -60,6 +62,8 @@ pub use control_points::ControlPoints;
 pub use diagnostic::Diagnostic;
 pub use error::{Code, DocumentError};
 pub(crate) use fields::layers;
+#[cfg(feature = "harmonic")]
+pub use harmonic::{Comparing, Difference, Harmonic, lightened};
 #[cfg(feature = "hyperpatch")]
 pub use hyperpatch::{
     Action, CellSpec, FaceSpec, HyperpatchDocument, HyperpatchHead, HyperpatchKind, HyperpatchModel,

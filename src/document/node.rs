@@ -214,6 +214,7 @@ impl<'a> Node<'a> {
     }
 
     /// Refuses a value of the format that a later release computes.
+    #[cfg(feature = "solid")]
     pub(crate) fn not_yet(&self, what: &str) -> DocumentError {
         self.error(Code::NotYet, format!("{what} belong to the format but come with a later release"))
     }

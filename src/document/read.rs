@@ -209,8 +209,26 @@ mod tests {
     }
 
     #[test]
-    fn values_of_later_releases_are_refused_by_path() {
-        expect_at(Code::NotYet, "blend.kind", "/blend/kind", json!("harmonic"));
+    #[cfg(feature = "harmonic")]
+    fn a_harmonic_blend_has_the_stated_defaults() {
+        let mut document = minimal();
+        document["blend"] = json!({"kind": "harmonic"});
+        let blend = read_text(&document.to_string()).expect("valid").blend;
+        assert_eq!((blend.lines, blend.segments, blend.stages), (Some(44), Some(200), 5));
+        document["blend"] = json!({"segments": 300});
+        let read = read_text(&document.to_string()).expect("valid");
+        assert_eq!((read.blend.lines, read.blend.segments), (None, Some(300)), "kept for later, not used");
+        assert_eq!(read_text(&write_text(&read).expect("finite")), Ok(read));
+        expect_at(Code::Range, "blend.segments", "/blend/segments", json!(15));
+        expect_at(Code::Limit, "blend.segments", "/blend/segments", json!(1001));
+        expect_at(Code::Range, "blend.lines", "/blend/lines", json!(0));
+        expect_at(Code::Limit, "blend.lines", "/blend/lines", json!(401));
+    }
+
+    #[test]
+    #[cfg(not(feature = "harmonic"))]
+    fn a_harmonic_blend_is_left_to_the_whole_module() {
+        expect_at(Code::NotInModule, "blend.kind", "/blend/kind", json!("harmonic"));
     }
 
     #[test]

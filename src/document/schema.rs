@@ -46,6 +46,15 @@ pub struct CurvesDocument {
 }
 
 impl CurvesDocument {
+    /// Whether the blend is harmonic.
+    #[must_use]
+    pub fn is_harmonic(&self) -> bool {
+        #[cfg(feature = "harmonic")]
+        return self.blend.kind == BlendKind::Harmonic;
+        #[cfg(not(feature = "harmonic"))]
+        false
+    }
+
     /// Number of equal parts into which the stages cut every ruling line: M, or M + 1 where M is taken as printed for the number of curves
     /// in between (the caption of Fig. 6 of the precursor). In a stack that is the number of parts of each span.
     #[must_use]
@@ -336,6 +345,12 @@ pub struct Blend {
     pub kind: BlendKind,
     /// Number M of steps from one curve to the next, 1 to 200; there are M - 1 in-between curves.
     pub stages: usize,
+    /// Number of lines along the gradient of a harmonic blend, 1 to 400.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lines: Option<usize>,
+    /// Number of segments of each curve of a harmonic blend, 16 to 1000.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub segments: Option<usize>,
 }
 
 /// Kinds of blends.
@@ -346,6 +361,9 @@ pub enum BlendKind {
     Ruled,
     /// Through all curves of a stack without kinks at the inner ones; of two curves the same as ruled.
     Cubic,
+    /// As heat flows from the outer curve to all others inside it.
+    #[cfg(feature = "harmonic")]
+    Harmonic,
 }
 
 /// What the page shows of a document.
@@ -398,11 +416,13 @@ pub enum LayerName {
     Value,
     /// Lines of equal fraction of one material.
     IsoComposition,
+    /// Where a harmonic blend differs from the ruled one.
+    Difference,
 }
 
 impl LayerName {
     /// Every layer.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Material,
         Self::UnitCells,
         Self::InBetweens,
@@ -414,10 +434,11 @@ impl LayerName {
         Self::Grid,
         Self::Value,
         Self::IsoComposition,
+        Self::Difference,
     ];
 
     /// Their names in documents, in the same order.
-    pub const NAMES: [&'static str; 11] = [
+    pub const NAMES: [&'static str; 12] = [
         "material",
         "unitCells",
         "inBetweens",
@@ -429,6 +450,7 @@ impl LayerName {
         "grid",
         "value",
         "isoComposition",
+        "difference",
     ];
 
     /// The layers shown when a document names none.
@@ -493,6 +515,6 @@ fn across(diagonal: f64, _: &[CurveSpec]) -> f64 {
 
 impl Default for Blend {
     fn default() -> Self {
-        Self { kind: BlendKind::Ruled, stages: 5 }
+        Self { kind: BlendKind::Ruled, stages: 5, lines: None, segments: None }
     }
 }

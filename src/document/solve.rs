@@ -1,6 +1,8 @@
 //! From a document to its matching, in steps.
 
 use super::direction::Direction;
+#[cfg(feature = "harmonic")]
+use super::harmonic::{Harmonic, HarmonicJob};
 #[cfg(feature = "stack")]
 use super::stack::{StackWork, Stacked};
 use super::work::{Found, Work};
@@ -61,6 +63,9 @@ pub enum Outcome {
     /// More than two curves, whose neighbours are matched with each other.
     #[cfg(feature = "stack")]
     Stacked(Box<Stacked>),
+    /// Curves that are blended as heat flows between them.
+    #[cfg(feature = "harmonic")]
+    Harmonic(Box<Harmonic>),
     /// Lines were found.
     Matched {
         /// The outlines and the values of their lines.
@@ -91,6 +96,10 @@ impl Solution {
         if let Some(stack) = self.stack() {
             return stack.is_complete;
         }
+        #[cfg(feature = "harmonic")]
+        if self.harmonic().is_some() {
+            return true;
+        }
         matches!(self.outcome, Outcome::Matched { is_complete: true, .. })
     }
 
@@ -109,6 +118,16 @@ impl Solution {
     pub fn stack(&self) -> Option<&Stacked> {
         match &self.outcome {
             Outcome::Stacked(stack) => Some(stack),
+            _ => None,
+        }
+    }
+
+    /// The harmonic blend.
+    #[cfg(feature = "harmonic")]
+    #[must_use]
+    pub fn harmonic(&self) -> Option<&Harmonic> {
+        match &self.outcome {
+            Outcome::Harmonic(harmonic) => Some(harmonic),
             _ => None,
         }
     }
@@ -173,6 +192,8 @@ enum State {
     Working(Box<Work>),
     #[cfg(feature = "stack")]
     Stacking(Box<StackWork>),
+    #[cfg(feature = "harmonic")]
+    Flowing(Box<HarmonicJob>),
 }
 
 impl Solve {
@@ -195,6 +216,11 @@ impl Solve {
 
     fn start(document: CurvesDocument, is_coarse: bool) -> Result<Self, DocumentError> {
         let model = Model::new(document)?;
+        #[cfg(feature = "harmonic")]
+        if model.document().is_harmonic() && model.curves().len() > 1 {
+            let state = State::Flowing(Box::new(HarmonicJob::new(&model, is_coarse)));
+            return Ok(Self { model: Some(model), state, is_coarse, begun: 0.0 });
+        }
         #[cfg(feature = "stack")]
         if model.curves().len() > 2 {
             let state = State::Stacking(Box::new(StackWork::new(&model, is_coarse)));
@@ -254,6 +280,11 @@ impl Solve {
             let ready = work.step(self.model.as_mut()?, may_go_on)?;
             self.state = State::Ready(Box::new(ready));
         }
+        #[cfg(feature = "harmonic")]
+        if let State::Flowing(job) = &mut self.state {
+            let ready = job.step(self.model.as_ref()?, may_go_on)?;
+            self.state = State::Ready(Box::new(ready));
+        }
         let State::Ready(ready) = &mut self.state else { return None };
         let model = self.model.take()?;
         let (outcome, diagnostics, is_coarse) =
@@ -270,6 +301,8 @@ impl Solve {
             State::Working(work) => self.begun + (1.0 - self.begun) * work.progress(),
             #[cfg(feature = "stack")]
             State::Stacking(work) => work.progress(),
+            #[cfg(feature = "harmonic")]
+            State::Flowing(job) => job.progress(),
         }
     }
 

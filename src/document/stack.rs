@@ -74,7 +74,7 @@ enum Weaving {
 }
 
 /// What a stack comes to, its remarks, and whether a refinement was left out.
-type Ready = (Outcome, Vec<Diagnostic>, bool);
+pub(super) type Ready = (Outcome, Vec<Diagnostic>, bool);
 
 impl StackWork {
     pub(super) fn new(model: &Model, is_coarse: bool) -> Self {
@@ -187,7 +187,12 @@ impl StackWork {
                 own.map(|it| Diagnostic::InSpan { span, remark: Box::new(it.in_stack(span, &numbers)) });
             self.diagnostics.extend(placed);
         }
-        self.diagnostics.extend(out_of_order(model, &self.spans));
+        let misplaced = out_of_order(model, &self.spans);
+        #[cfg(feature = "harmonic")]
+        if !misplaced.is_empty() {
+            self.diagnostics.extend(super::harmonic::several_inner(model));
+        }
+        self.diagnostics.extend(misplaced);
     }
 }
 

@@ -24,6 +24,7 @@ mod mesh;
 mod panel;
 mod precondition;
 mod problem;
+mod quantity;
 pub mod samples;
 mod section;
 mod segment;

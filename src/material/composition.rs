@@ -93,7 +93,7 @@ impl Composition {
     }
 
     /// The composition of fractions that rounding may have brought a little below 0 or off the sum 1, such as those of a mean.
-    #[cfg(any(feature = "hyperpatch", feature = "stack"))]
+    #[cfg(any(feature = "hyperpatch", feature = "stack", feature = "harmonic"))]
     pub(crate) fn rounded(mut fractions: Vec<f64>) -> Self {
         fractions.iter_mut().for_each(|fraction| *fraction = fraction.max(0.0));
         let sum: f64 = fractions.iter().sum();

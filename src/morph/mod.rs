@@ -6,6 +6,8 @@ mod band;
 mod cell;
 #[cfg(feature = "paths")]
 mod cuts;
+#[cfg(feature = "harmonic")]
+mod harmonic;
 mod iso;
 mod locate;
 #[cfg(feature = "paths")]
@@ -17,6 +19,11 @@ mod stack;
 pub use amounts::{Amounts, amounts, cell_amounts};
 pub use band::{Band, Ruling};
 pub use cell::{UnitCell, unit_cells};
+#[cfg(feature = "harmonic")]
+pub use harmonic::{
+    Compose, Field, Fineness as HarmonicFineness, GradientLine, HarmonicBlend, HarmonicPlace, HarmonicWork,
+    Ring, Rings, crossings,
+};
 pub use iso::IsoLine;
 pub use locate::Place;
 #[cfg(feature = "paths")]

@@ -51,6 +51,8 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     let is_blended = band.is_some();
     #[cfg(feature = "stack")]
     let is_blended = is_blended || solution.stack().is_some_and(|stack| stack.is_complete);
+    #[cfg(feature = "harmonic")]
+    let is_blended = is_blended || solution.harmonic().is_some();
     let tolerance = (CHORD_ERROR / viewport.scale).max(solution.model.bounds().diagonal() * 1e-6);
     let mut drawing = Drawing {
         solution,
@@ -59,7 +61,9 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
         is_small,
         on_band: is_blended
             && !options.patterns
-            && [LayerName::Material, LayerName::UnitCells].iter().any(|layer| options.layers.contains(layer)),
+            && [LayerName::Material, LayerName::UnitCells, LayerName::Difference]
+                .iter()
+                .any(|layer| options.layers.contains(layer)),
         unit: viewport.pixel_ratio / viewport.scale,
         outlines: outlines(solution, tolerance),
         tolerance,
@@ -78,6 +82,10 @@ pub fn figure(solution: &Solution, options: &FigureOptions, viewport: &Viewport)
     #[cfg(feature = "stack")]
     if let Some(stack) = solution.stack() {
         drawing.stack(stack);
+    }
+    #[cfg(feature = "harmonic")]
+    if let Some(harmonic) = solution.harmonic() {
+        drawing.harmonic(harmonic);
     }
     drawing.boundaries();
     drawing.samples();
@@ -151,7 +159,7 @@ impl Drawing<'_> {
         }
     }
 
-    fn cased(&mut self, layer: &str, path: Path, style: Cased) {
+    pub(super) fn cased(&mut self, layer: &str, path: Path, style: Cased) {
         self.stroke(layer, path.clone(), style.halo);
         self.stroke(layer, path, style.line);
     }
@@ -327,7 +335,8 @@ impl Drawing<'_> {
             let rings = ends.map(|(&point, &normal)| vec![point, point + length * normal]).collect();
             self.stroke("normals", Path { rings, closed: false }, self.theme.normal);
         }
-        if self.shows(LayerName::Samples) && !self.is_small && !samples.is_empty() {
+        let has_samples = !self.solution.model.document().is_harmonic() && !samples.is_empty();
+        if self.shows(LayerName::Samples) && !self.is_small && has_samples {
             let dots = Item::Dots {
                 centers: samples.iter().flat_map(|samples| &samples.points).copied().collect(),
                 radius_px: self.theme.sample_radius,
@@ -387,6 +396,12 @@ pub(super) fn meeting(diagnostic: &Diagnostic) -> Option<DVec2> {
     match diagnostic {
         Diagnostic::Crossing { at } => Some(*at),
         Diagnostic::CoarseSampling { at } => *at,
+        #[cfg(feature = "harmonic")]
+        Diagnostic::CurvesMeet { at, .. }
+        | Diagnostic::NoOuter { at, .. }
+        | Diagnostic::Nested { at, .. } => Some(*at),
+        #[cfg(feature = "harmonic")]
+        Diagnostic::NoField { at, .. } => *at,
         _ => None,
     }
 }

@@ -10,6 +10,8 @@ mod dash;
 mod error;
 mod figure;
 mod grid;
+#[cfg(feature = "harmonic")]
+mod harmonic;
 mod hatch;
 mod lines;
 mod list;

@@ -52,6 +52,8 @@ impl Engine {
     /// Unit cells.
     pub fn cells(&mut self, text: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
+        #[cfg(feature = "harmonic")]
+        super::engine::needs_lines(&solution, "cells")?;
         let document = solution.model.document();
         let segments = document.segments();
         #[cfg(feature = "stack")]
@@ -68,6 +70,8 @@ impl Engine {
     /// The area of the band and the amount of each material in it; null without a complete matching.
     pub fn amounts(&mut self, text: &str) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
+        #[cfg(feature = "harmonic")]
+        super::engine::needs_lines(&solution, "amounts")?;
         to_value(&amounts(&solution).map(|found| result(&solution, found)))
     }
 }

@@ -27,6 +27,9 @@ pub struct Engine {
     pub(super) parts: crate::document::PartMemory,
     #[cfg(feature = "laplace")]
     pub(super) boundaries: crate::document::BoundaryMemory,
+    /// The document whose harmonic blend is being compared, and whether coarsely.
+    #[cfg(feature = "harmonic")]
+    comparing: Option<(String, bool, document::Comparing)>,
 }
 
 #[wasm_bindgen]
@@ -60,6 +63,10 @@ impl Engine {
             return Err(to_js(&DocumentError::new(Code::Range, "options.refine", message)));
         }
         let solution = self.solve(text)?;
+        #[cfg(feature = "harmonic")]
+        if let Some(harmonic) = solution.harmonic() {
+            return to_value(&super::results::levels(harmonic, solution.model.document()));
+        }
         #[cfg(feature = "stack")]
         if let Some(stack) = solution.stack() {
             return to_value(&super::stack::stages(&solution, stack, refine));
@@ -74,6 +81,11 @@ impl Engine {
         let options = parse(options)
             .and_then(|options| IsoOptions::read(&options, solution.model.materials().len()))
             .map_err(|e| to_js(&e))?;
+        #[cfg(feature = "harmonic")]
+        if let Some(harmonic) = solution.harmonic() {
+            let lines = |material, level| harmonic.blend.iso_lines(material, level);
+            return to_value(&isolines(lines, &options));
+        }
         #[cfg(feature = "stack")]
         if let Some(stack) = solution.stack() {
             let blend = stack.blend.as_ref();
@@ -87,6 +99,10 @@ impl Engine {
     /// What the band holds at a point.
     pub fn probe(&mut self, text: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let solution = self.solve(text)?;
+        #[cfg(feature = "harmonic")]
+        if let Some(harmonic) = solution.harmonic() {
+            return to_value(&super::harmonic::probe(&solution.model, harmonic, DVec2::new(x, y)));
+        }
         to_value(&probe(&solution, DVec2::new(x, y)))
     }
 
@@ -103,7 +119,7 @@ impl Engine {
 
     /// The picture, to be painted in steps.
     pub fn painting(&mut self, text: &str, coarse: bool, options: &str) -> Result<Painting, JsValue> {
-        let (_, viewport, list) = self.picture(text, coarse, options)?;
+        let (_, viewport, list) = self.picture(text, coarse, false, options)?;
         let strips = picture::Painting::new(&list, &viewport).map_err(|e| refused_picture(&e.to_string()))?;
         Ok(Painting::new(strips, viewport))
     }
@@ -124,16 +140,32 @@ impl Engine {
 }
 
 impl Engine {
+    /// What a picture shows; `light` where the number of its triangles decides the size of a file.
     pub(super) fn picture(
         &mut self,
         text: &str,
         coarse: bool,
+        light: bool,
         options: &str,
     ) -> Result<(Rc<Solution>, Viewport, DisplayList), JsValue> {
         let options =
             parse(options).and_then(|options| PictureOptions::read(&options)).map_err(|e| to_js(&e))?;
         let solution = self.solve_to(text, coarse)?;
+        #[cfg(feature = "harmonic")]
+        let solution = if solution.harmonic().is_some()
+            && options.figure(&solution.model).layers.contains(&document::LayerName::Difference)
+        {
+            self.advance_comparison(text, coarse, &mut || true).map_err(|e| to_js(&e))?;
+            self.solve_to(text, coarse)?
+        } else {
+            solution
+        };
         options.check(&solution.model).map_err(|e| to_js(&e))?;
+        #[cfg(feature = "harmonic")]
+        let solution =
+            if light { document::lightened(&solution).map_or(solution, Rc::new) } else { solution };
+        #[cfg(not(feature = "harmonic"))]
+        let _ = light;
         let viewport = options.viewport(&solution.model);
         let list = figure(&solution, &options.figure(&solution.model), &viewport);
         Ok((solution, viewport, list))
@@ -148,6 +180,8 @@ impl Engine {
         let solution = self.solve(text)?;
         #[cfg(not(feature = "stack"))]
         let _ = name;
+        #[cfg(feature = "harmonic")]
+        needs_lines(&solution, name)?;
         #[cfg(feature = "stack")]
         if let count @ 3.. = solution.model.curves().len() {
             let message =
@@ -157,7 +191,7 @@ impl Engine {
         Ok(solution)
     }
 
-    fn solve_to(&mut self, text: &str, coarse: bool) -> Result<Rc<Solution>, JsValue> {
+    pub(super) fn solve_to(&mut self, text: &str, coarse: bool) -> Result<Rc<Solution>, JsValue> {
         loop {
             if let Some(solution) = self.solved.find(text, coarse) {
                 return Ok(solution);
@@ -190,9 +224,61 @@ impl Engine {
     }
 }
 
+#[cfg(feature = "harmonic")]
+impl Engine {
+    /// Goes on comparing the harmonic blend of a document with the ruled one; of other documents, and of more than two curves, there is nothing to compare.
+    pub(super) fn advance_comparison(
+        &mut self,
+        text: &str,
+        coarse: bool,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<f64, DocumentError> {
+        let solution = loop {
+            match self.solved.find(text, coarse) {
+                Some(solution) => break solution,
+                None => {
+                    if self.advance(text, coarse, may_go_on)? < 1.0 {
+                        return Ok(0.0);
+                    }
+                }
+            }
+        };
+        let Some(harmonic) = solution.harmonic() else { return Ok(1.0) };
+        let count = solution.model.curves().len();
+        if harmonic.difference.is_some() || count > 2 {
+            return Ok(1.0);
+        }
+        let mut job = match self.comparing.take() {
+            Some((known, is_coarse, job)) if known == text && is_coarse == coarse => job,
+            _ => document::Comparing::new(solution.model.document(), coarse)?,
+        };
+        let Some(difference) = job.step(&harmonic.blend, may_go_on) else {
+            let progress = job.progress(&harmonic.blend);
+            self.comparing = Some((text.to_owned(), coarse, job));
+            return Ok(progress);
+        };
+        let mut compared = Rc::unwrap_or_clone(solution);
+        if let document::Outcome::Harmonic(harmonic) = &mut compared.outcome {
+            harmonic.difference = Some(difference);
+        }
+        self.solved.keep(text, compared);
+        Ok(1.0)
+    }
+}
+
 pub(super) fn read(text: &str) -> Result<CurvesDocument, DocumentError> {
     document::check_length(text)?;
     document::read(&parse(text)?)
+}
+
+/// Refuses a harmonic blend for a function about ruling lines.
+#[cfg(feature = "harmonic")]
+pub(super) fn needs_lines(solution: &Solution, name: &str) -> Result<(), JsValue> {
+    if !solution.model.document().is_harmonic() {
+        return Ok(());
+    }
+    let message = format!("`harmonic` was found; `{name}` takes a blend along ruling lines");
+    Err(to_js(&DocumentError::new(Code::Range, "blend.kind", message)))
 }
 
 fn refused_picture(message: &str) -> JsValue {

@@ -200,7 +200,7 @@ impl LaplaceAsking {
     }
 }
 
-fn set(bag: &Object, name: &str, value: JsValue) -> Result<(), JsValue> {
+pub(super) fn set(bag: &Object, name: &str, value: JsValue) -> Result<(), JsValue> {
     Reflect::set(bag, &name.into(), &value).map(|_| ())
 }
 

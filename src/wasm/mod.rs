@@ -15,6 +15,8 @@ mod engine;
 mod error;
 #[cfg(feature = "explain")]
 mod explain;
+#[cfg(feature = "harmonic")]
+mod harmonic;
 #[cfg(feature = "hyperpatch")]
 mod hyperpatch;
 #[cfg(feature = "import")]

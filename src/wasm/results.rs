@@ -1,5 +1,7 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
+#[cfg(feature = "harmonic")]
+use crate::document::Harmonic;
 #[cfg(feature = "solid")]
 use crate::document::Model;
 use crate::document::{
@@ -9,6 +11,8 @@ use crate::matching::{
     Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
     VertexSets, trace, vertex_sets,
 };
+#[cfg(feature = "harmonic")]
+use crate::morph::HarmonicBlend;
 use crate::morph::{Band, IsoLine, Place};
 use crate::picture::Viewport;
 use glam::DVec2;
@@ -45,6 +49,71 @@ pub(super) struct MatchResult {
     #[cfg(feature = "solid")]
     #[serde(skip_serializing_if = "Option::is_none")]
     projection: Option<ProjectionResult>,
+    #[cfg(feature = "harmonic")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    harmonic: Option<HarmonicSummary>,
+}
+
+/// What is to be said of a harmonic blend in numbers.
+#[cfg(feature = "harmonic")]
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct HarmonicSummary {
+    /// Number of the outer curve.
+    outer: usize,
+    /// Segments of all curves.
+    segments: usize,
+    /// Lines along the gradient, pairs of them that meet, and lines that were lost.
+    lines: usize,
+    crossings: usize,
+    lost: usize,
+    /// Most iterations for a quantity, and the largest residual over the right-hand side.
+    iterations: usize,
+    residual: f64,
+    /// What flows from the outer curve to the others, and the share of it that is missing on one side.
+    flux: f64,
+    flux_balance: f64,
+    /// Area between the curves, and how much of each material is there.
+    area: f64,
+    amounts: Vec<f64>,
+    /// Vertices and triangles on which the blend is shown.
+    vertices: usize,
+    triangles: usize,
+}
+
+#[cfg(feature = "harmonic")]
+impl HarmonicSummary {
+    pub(super) fn new(blend: &HarmonicBlend) -> Self {
+        let solution = blend.solution();
+        let found = || solution.convergences().iter();
+        let last = found().filter_map(|own| own.residuals.last().copied());
+        Self {
+            outer: blend.rings().outer(),
+            segments: blend.rings().count(),
+            lines: blend.lines().len(),
+            crossings: blend.crossings(),
+            lost: blend.lost(),
+            iterations: found().map(|own| own.iterations()).max().unwrap_or(0),
+            residual: last.fold(0.0, f64::max),
+            flux: blend.flux(),
+            flux_balance: solution.flux_balance().first().map_or(0.0, |balance| balance.abs()),
+            area: blend.area(),
+            amounts: blend.amounts(),
+            vertices: blend.field().points.len(),
+            triangles: blend.field().triangles.len(),
+        }
+    }
+}
+
+/// The level curves of a harmonic blend, each of them with the place of its stage.
+#[cfg(feature = "harmonic")]
+pub(super) fn levels(harmonic: &Harmonic, document: &CurvesDocument) -> Vec<StageResult> {
+    let segments = document.segments();
+    let stage = |(j, loops): (usize, &Vec<Vec<DVec2>>)| {
+        let s = (j + 1) as f64 / segments as f64;
+        loops.iter().map(|points| StageResult { s, points: arrays(points) }).collect::<Vec<_>>()
+    };
+    harmonic.blend.levels().iter().enumerate().flat_map(stage).collect()
 }
 
 /// How curves in space are seen in the plane.
@@ -124,6 +193,9 @@ pub(super) struct DiagnosticResult {
     span: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<usize>,
+    #[cfg(feature = "harmonic")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curves: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     vertices: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -170,6 +242,10 @@ pub(super) struct ProbeResult {
     pub(super) length: f64,
     pub(super) from: [f64; 2],
     pub(super) to: [f64; 2],
+    /// Of the potential of a harmonic blend.
+    #[cfg(feature = "harmonic")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) gradient: Option<[f64; 2]>,
 }
 
 impl MatchResult {
@@ -233,6 +309,8 @@ impl MatchResult {
             threads: stack.map(super::stack::threads),
             #[cfg(feature = "solid")]
             projection: ProjectionResult::of(model),
+            #[cfg(feature = "harmonic")]
+            harmonic: solution.harmonic().map(|harmonic| HarmonicSummary::new(&harmonic.blend)),
         })
     }
 }
@@ -386,6 +464,24 @@ impl From<&Diagnostic> for DiagnosticResult {
             }
             #[cfg(feature = "stack")]
             Diagnostic::NoThread => {}
+            #[cfg(feature = "harmonic")]
+            Diagnostic::SeveralInner { curves, .. }
+            | Diagnostic::OpenCurves { curves }
+            | Diagnostic::HeightsIgnored { curves } => result.curves = Some(curves.clone()),
+            #[cfg(feature = "harmonic")]
+            Diagnostic::CurvesMeet { curves, at } | Diagnostic::Nested { curves, at } => {
+                result.curves = Some(curves.to_vec());
+                result.at = Some(at.to_array());
+            }
+            #[cfg(feature = "harmonic")]
+            Diagnostic::NoOuter { curves, at } => {
+                result.curves = Some(curves.clone());
+                result.at = Some(at.to_array());
+            }
+            #[cfg(feature = "harmonic")]
+            Diagnostic::NoField { at, .. } => result.at = at.map(|at| at.to_array()),
+            #[cfg(feature = "harmonic")]
+            Diagnostic::LostLines { .. } | Diagnostic::NoRuledBlend => {}
         }
         result
     }
@@ -517,6 +613,8 @@ pub(super) fn probed(
         length: problem.length(ruling.from, ruling.to),
         from: first.points[ruling.from].to_array(),
         to: second.points[ruling.to].to_array(),
+        #[cfg(feature = "harmonic")]
+        gradient: None,
     })
 }
 

@@ -3,7 +3,7 @@
 use directrix::curve::{BSpline, Fineness, Form, Samples, Scheme, sample, sample_adaptively};
 use glam::DVec2;
 
-use crate::support::{assert_near, curve, periodic, polygon, variety};
+use super::support::{assert_near, curve, periodic, polygon, variety};
 
 /// Distance of a point from a segment.
 fn off_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {

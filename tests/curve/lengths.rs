@@ -2,7 +2,7 @@
 
 use directrix::curve::Form;
 
-use crate::support::{assert_close, assert_near, curve, periodic, polygon, variety};
+use super::support::{assert_close, assert_near, curve, periodic, polygon, variety};
 
 /// Length between parameters by Romberg's scheme on the speed, knot span by knot span, with the one-sided
 /// derivative taken just inside: independent of Gauss nodes and of the pieces the library uses.

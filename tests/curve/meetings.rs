@@ -3,7 +3,7 @@
 use directrix::curve::{BSpline, Form, Meeting};
 use glam::DVec2;
 
-use crate::support::{assert_near, blob, curve, periodic, polygon, variety};
+use super::support::{assert_near, blob, curve, periodic, polygon, variety};
 
 /// Checks that the meeting is a place of both curves.
 #[track_caller]

@@ -3,7 +3,7 @@
 use directrix::curve::{BSpline, Form};
 use glam::DVec2;
 
-use crate::support::{assert_close, assert_near, blob, polygon, variety};
+use super::support::{assert_close, assert_near, blob, polygon, variety};
 
 /// Distance to the curve by dense sampling and golden section round every local minimum of the samples.
 fn brute_force(curve: &BSpline, p: DVec2) -> f64 {

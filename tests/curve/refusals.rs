@@ -3,7 +3,7 @@
 use directrix::curve::{BSpline, CurveError, Form};
 use glam::DVec2;
 
-use crate::support::try_curve;
+use super::support::try_curve;
 
 const SQUARE: [(f64, f64); 4] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
 const CLOSED: [(f64, f64); 5] = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (1.0, 1.0)];

@@ -3,7 +3,7 @@
 use directrix::curve::{BSpline, Form, Scheme, sample};
 use glam::DVec2;
 
-use crate::support::{
+use super::support::{
     assert_close, assert_near, blob, curve, periodic, polygon, slow_point, spread, variety,
 };
 

@@ -1,10 +1,8 @@
 //! Pictures of documents: golden ones of the presets, patterns, and lines where the band has no colours.
 
-#[path = "../support/golden.rs"]
-mod golden;
-
 use super::presets::{Preset, presets};
 use super::*;
+use crate::support::golden;
 use directrix::material::Color;
 use std::path::Path;
 

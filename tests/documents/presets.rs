@@ -62,6 +62,14 @@ fn presets_are_matched_completely_or_shown_as_not_matchable() {
             assert!(etas.flatten().all(|eta| eta > 0.9), "{id}");
             continue;
         }
+        #[cfg(feature = "harmonic")]
+        if let Some(harmonic) = solution.harmonic() {
+            let blend = &harmonic.blend;
+            assert!(solution.diagnostics.is_empty(), "{id}: {:?}", codes(&solution));
+            assert_eq!((blend.crossings(), blend.lost(), matched), (0, 0, true), "{id}");
+            assert!(blend.solution().flux_balance().iter().all(|balance| balance.abs() < 1e-3), "{id}");
+            continue;
+        }
         let Outcome::Matched { matching, .. } = &solution.outcome else { panic!("{id} is not matched") };
         let totals = &matching.totals;
         assert_eq!((totals.crossings, totals.blocked), (0, 0), "{id}");

@@ -1,8 +1,8 @@
 //! Helpers shared by the end-to-end tests.
 
-#![allow(dead_code, reason = "each test program uses a part of them")]
-
+pub mod golden;
 pub mod outlines;
+pub mod pairs;
 
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};

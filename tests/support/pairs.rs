@@ -12,7 +12,6 @@ pub struct Picture {
     closed: bool,
 }
 
-#[allow(dead_code, reason = "each test program uses a part of them")]
 impl Picture {
     /// Pairs, with polygons through all samples and all ends of pairs, by ascending parameter in the domain.
     pub fn of(model: &Model, pairs: &OneToOne) -> Self {

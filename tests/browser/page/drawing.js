@@ -19,6 +19,7 @@ export async function newDocument(page) {
   await page.locator("[data-item=new]").click();
   await eventually(async () => assert.deepEqual((await documentOf(page)).curves, []));
   await eventually(async () => assert.equal(await page.locator("#status").getAttribute("data-verdict"), "incomplete"));
+  await page.locator("[data-empty=draw]").waitFor();
 }
 
 /**

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { audit } from "../support/axe.js";
+import { audit, auditThemes } from "../support/axe.js";
 import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, status, uiOf } from "./workbench.js";
@@ -163,36 +163,40 @@ onOnePage("the gallery", {
   },
 });
 
-test("on a phone the gallery is one entry of the menu and takes the whole width", async (t) => {
-  const page = await openPage(t, PHONE);
-  await page.locator("[data-action=menu]").tap();
-  await page.locator("[data-item=gallery]").tap();
-  const panel = page.locator("[data-panel=gallery]");
-  await panel.waitFor();
-  const box = await panel.boundingBox();
-  assert.ok(box && box.x === 0 && box.width === 390 && box.height > 780, JSON.stringify(box));
-  const sizes = await page.locator("[data-preset]").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().height));
-  assert.ok(sizes.every((height) => height >= 44));
-  assert.ok(await panel.evaluate((element) => element.scrollWidth <= element.clientWidth));
-  await entry(page, "snail").scrollIntoViewIfNeeded();
-  await entry(page, "snail").tap();
-  await eventually(async () => assert.equal(await field(page, "title").inputValue(), "Snail"));
-  assert.equal(await panel.count(), 0);
-  assert.ok(!(await uiOf(page)).layers.includes("samples"), "dots run into each other on a phone");
-});
-
-for (const [name, options] of /** @type {const} */ ([
-  ["light", {}],
-  ["dark", { colorScheme: "dark" }],
-  ["on a phone", PHONE],
-])) {
-  test(`axe finds nothing wrong in the gallery ${name}`, async (t) => {
-    const page = await openPage(t, options);
-    if ("isMobile" in options) {
+onOnePage(
+  "on a phone",
+  {
+    "axe finds nothing wrong in the gallery on a phone": async (page) => {
       await page.locator("[data-action=menu]").tap();
       await page.locator("[data-item=gallery]").tap();
-    } else await page.locator("[data-action=gallery]").click();
-    await pictures(page);
-    assert.deepEqual(await audit(page), []);
-  });
-}
+      await pictures(page);
+      assert.deepEqual(await audit(page), []);
+      await page.locator("[data-panel=gallery] [data-close]").tap();
+      await eventually(async () => assert.equal(await page.locator("[data-panel=gallery]").count(), 0));
+    },
+    "on a phone the gallery is one entry of the menu and takes the whole width": async (page) => {
+      await page.locator("[data-action=menu]").tap();
+      await page.locator("[data-item=gallery]").tap();
+      const panel = page.locator("[data-panel=gallery]");
+      await panel.waitFor();
+      const box = await panel.boundingBox();
+      assert.ok(box && box.x === 0 && box.width === 390 && box.height > 780, JSON.stringify(box));
+      const sizes = await page.locator("[data-preset]").evaluateAll((all) => all.map((each) => each.getBoundingClientRect().height));
+      assert.ok(sizes.every((height) => height >= 44));
+      assert.ok(await panel.evaluate((element) => element.scrollWidth <= element.clientWidth));
+      await entry(page, "snail").scrollIntoViewIfNeeded();
+      await entry(page, "snail").tap();
+      await eventually(async () => assert.equal(await field(page, "title").inputValue(), "Snail"));
+      assert.equal(await panel.count(), 0);
+      assert.ok(!(await uiOf(page)).layers.includes("samples"), "dots run into each other on a phone");
+    },
+  },
+  PHONE,
+);
+
+test("axe finds nothing wrong in the gallery, light and dark", async (t) => {
+  const page = await openPage(t);
+  await page.locator("[data-action=gallery]").click();
+  await pictures(page);
+  assert.deepEqual(await auditThemes(page), []);
+});

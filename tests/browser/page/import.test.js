@@ -75,118 +75,114 @@ const results = (page) =>
 /** @param {string} text */
 const countIn = (text) => Number(/(\d+) control/.exec(text)?.[1]);
 
-test("a drawing opens as a document from the button, with its two nested shapes chosen", async (t) => {
-  const page = await openPage(t);
-  await choose(page, "washers.svg", DRAWING);
-  await panel(page).waitFor();
-  assert.equal(await page.locator("[data-shape]").count(), 3);
-  assert.deepEqual(await chosen(page), ["hole", "plate"]);
-  const [hole, plate] = await results(page);
-  assert.ok(countIn(hole) <= 16, hole);
-  assert.equal(countIn(plate), 12, "four straight sides that meet in corners");
-  assert.match(await panel(page).locator("details").textContent() ?? "", /stroke: it is open: its ends are 70\.7107 apart/);
-  assert.match(await panel(page).textContent() ?? "", /160 × 160/);
-  assert.deepEqual(await audit(page), []);
+onOnePage("shapes from elsewhere", {
+  "one shape replaces a curve, which keeps its material, and undo takes it back": async (page) => {
+    const before = await documentOf(page);
+    await drop(page, [{ name: "points.csv", content: POINTS }]);
+    await panel(page).waitFor();
+    assert.deepEqual(await chosen(page), ["list 1", "list 2"]);
+    assert.ok(await command(page, "place-0").isDisabled());
+    await page.locator("[data-box=import-1]").uncheck();
+    await page.locator("[data-box=import-through]").check();
+    await eventually(async () => assert.equal(countIn((await results(page))[0]), 24, "a knot at every point"));
+    await command(page, "place-0").click();
+    const after = await documentOf(page);
+    assert.equal(after.curves[0].points.length, 24);
+    assert.deepEqual(after.curves[0].composition, before.curves[0].composition);
+    assert.equal(after.curves[0].name, before.curves[0].name);
+    assert.deepEqual(after.curves[1], before.curves[1]);
+    await page.keyboard.press("Control+z");
+    await eventually(async () => assert.deepEqual(await documentOf(page), before));
+  },
 
-  await command(page, "open").click();
-  const document = await eventually(async () => {
-    const found = await documentOf(page);
-    assert.equal(found.title, "washers");
-    return found;
-  });
-  assert.equal(await panel(page).count(), 0);
-  assert.deepEqual(document.curves.map((/** @type {any} */ curve) => curve.name), ["hole", "plate"]);
-  const reach = (/** @type {number} */ k) => document.curves[1].points.map((/** @type {number[]} */ p) => p[k]);
-  assert.ok(Math.abs(Math.max(...reach(0)) - 80) < 1e-6 && Math.abs(Math.min(...reach(1)) + 80) < 1e-6, "centred at the origin");
-  await page.waitForSelector("#status[data-verdict=verified]");
-});
+  "another pair may be chosen, a third shape takes the place of the first, and corners may go": async (page) => {
+    await choose(page, "washers.svg", DRAWING);
+    await results(page);
+    await page.locator("[data-box=import-2]").check();
+    assert.deepEqual(await chosen(page), ["plate", "tooth"]);
+    await page.locator("[data-box=import-2]").uncheck();
+    await page.locator("[data-box=import-0]").check();
+    const kept = await results(page);
+    await page.locator("[data-segment=import-corners] label").nth(1).click();
+    const smooth = await eventually(async () => {
+      const found = await results(page);
+      assert.notEqual(found[1], kept[1]);
+      return found;
+    });
+    assert.ok(countIn(smooth[1]) > 12, smooth[1]);
+    // A coarser tolerance takes fewer points.
+    const slider = page.locator("[data-slider=import-tolerance]");
+    await slider.focus();
+    await page.keyboard.press("End");
+    await eventually(async () => assert.ok(countIn((await results(page))[1]) < countIn(smooth[1])));
+    assert.match(await slider.getAttribute("aria-valuetext") ?? "", /^5/);
+    await page.keyboard.press("Escape");
+    assert.equal(await panel(page).count(), 0);
+  },
 
-test("another pair may be chosen, a third shape takes the place of the first, and corners may go", async (t) => {
-  const page = await openPage(t);
-  await choose(page, "washers.svg", DRAWING);
-  await results(page);
-  await page.locator("[data-box=import-2]").check();
-  assert.deepEqual(await chosen(page), ["plate", "tooth"]);
-  await page.locator("[data-box=import-2]").uncheck();
-  await page.locator("[data-box=import-0]").check();
-  const kept = await results(page);
-  await page.locator("[data-segment=import-corners] label").nth(1).click();
-  const smooth = await eventually(async () => {
-    const found = await results(page);
-    assert.notEqual(found[1], kept[1]);
-    return found;
-  });
-  assert.ok(countIn(smooth[1]) > 12, smooth[1]);
-  // A coarser tolerance takes fewer points.
-  const slider = page.locator("[data-slider=import-tolerance]");
-  await slider.focus();
-  await page.keyboard.press("End");
-  await eventually(async () => assert.ok(countIn((await results(page))[1]) < countIn(smooth[1])));
-  assert.match(await slider.getAttribute("aria-valuetext") ?? "", /^5/);
-  await page.keyboard.press("Escape");
-  assert.equal(await panel(page).count(), 0);
-});
+  "of several files the first is opened, and the page says so": async (page) => {
+    await drop(page, [
+      { name: "first.svg", content: DRAWING },
+      { name: "second.svg", content: DRAWING },
+    ]);
+    await panel(page).waitFor();
+    assert.match(await panel(page).locator("h2").textContent() ?? "", /first\.svg/);
+    await eventually(async () => assert.match(await status(page), /2 files were dropped; only first\.svg was opened/));
+  },
 
-test("one shape replaces a curve, which keeps its material, and undo takes it back", async (t) => {
-  const page = await openPage(t);
-  const before = await documentOf(page);
-  await drop(page, [{ name: "points.csv", content: POINTS }]);
-  await panel(page).waitFor();
-  assert.deepEqual(await chosen(page), ["list 1", "list 2"]);
-  assert.ok(await command(page, "place-0").isDisabled());
-  await page.locator("[data-box=import-1]").uncheck();
-  await page.locator("[data-box=import-through]").check();
-  await eventually(async () => assert.equal(countIn((await results(page))[0]), 24, "a knot at every point"));
-  await command(page, "place-0").click();
-  const after = await documentOf(page);
-  assert.equal(after.curves[0].points.length, 24);
-  assert.deepEqual(after.curves[0].composition, before.curves[0].composition);
-  assert.equal(after.curves[0].name, before.curves[0].name);
-  assert.deepEqual(after.curves[1], before.curves[1]);
-  await page.keyboard.press("Control+z");
-  await eventually(async () => assert.deepEqual(await documentOf(page), before));
-});
+  "a drawing opens as a document from the button, with its two nested shapes chosen": async (page) => {
+    await choose(page, "washers.svg", DRAWING);
+    await panel(page).waitFor();
+    assert.equal(await page.locator("[data-shape]").count(), 3);
+    assert.deepEqual(await chosen(page), ["hole", "plate"]);
+    const [hole, plate] = await results(page);
+    assert.ok(countIn(hole) <= 16, hole);
+    assert.equal(countIn(plate), 12, "four straight sides that meet in corners");
+    assert.match(await panel(page).locator("details").textContent() ?? "", /stroke: it is open: its ends are 70\.7107 apart/);
+    assert.match(await panel(page).textContent() ?? "", /160 × 160/);
+    assert.deepEqual(await audit(page), []);
 
-test("a new document takes shapes one by one", async (t) => {
-  const page = await openPage(t);
-  await newDocument(page);
-  await paste(page, DRAWING);
-  await results(page);
-  await page.locator("[data-box=import-1]").uncheck();
-  await eventually(async () => assert.ok(await command(page, "place-0").isEnabled()));
-  assert.ok(await command(page, "place-1").isHidden());
-  await command(page, "place-0").click();
-  await eventually(async () => assert.equal((await documentOf(page)).curves[0]?.name, "hole"));
-  await paste(page, DRAWING);
-  await results(page);
-  await page.locator("[data-box=import-0]").uncheck();
-  await eventually(async () => assert.ok(await command(page, "place-1").isEnabled()));
-  await command(page, "place-1").click();
-  await eventually(async () => assert.equal((await documentOf(page)).curves[1]?.name, "plate"));
-  await page.waitForSelector("#status[data-verdict=verified]");
-});
+    await command(page, "open").click();
+    const document = await eventually(async () => {
+      const found = await documentOf(page);
+      assert.equal(found.title, "washers");
+      return found;
+    });
+    assert.equal(await panel(page).count(), 0);
+    assert.deepEqual(document.curves.map((/** @type {any} */ curve) => curve.name), ["hole", "plate"]);
+    const reach = (/** @type {number} */ k) => document.curves[1].points.map((/** @type {number[]} */ p) => p[k]);
+    assert.ok(Math.abs(Math.max(...reach(0)) - 80) < 1e-6 && Math.abs(Math.min(...reach(1)) + 80) < 1e-6, "centred at the origin");
+    await page.waitForSelector("#status[data-verdict=verified]");
+  },
 
-test("text is pasted anywhere but into a field, and documents as well as points", async (t) => {
-  const page = await openPage(t);
-  await paste(page, "[[0, 0], [10, 0], [10, 10]]", "input[data-field=title]");
-  assert.equal(await panel(page).count(), 0);
-  await paste(page, JSON.stringify([ellipse(12, 3, 2), ellipse(12, 9, 8)].map((ring) => ring.map((at) => at.map(Number)))));
-  await panel(page).waitFor();
-  assert.equal(await page.locator("[data-shape]").count(), 2);
-  const document = await documentOf(page);
-  await paste(page, JSON.stringify({ ...document, title: "From the clipboard" }));
-  await eventually(async () => assert.equal((await documentOf(page)).title, "From the clipboard"));
-});
+  "text is pasted anywhere but into a field, and documents as well as points": async (page) => {
+    await paste(page, "[[0, 0], [10, 0], [10, 10]]", "input[data-field=title]");
+    assert.equal(await panel(page).count(), 0);
+    await paste(page, JSON.stringify([ellipse(12, 3, 2), ellipse(12, 9, 8)].map((ring) => ring.map((at) => at.map(Number)))));
+    await panel(page).waitFor();
+    assert.equal(await page.locator("[data-shape]").count(), 2);
+    const document = await documentOf(page);
+    await paste(page, JSON.stringify({ ...document, title: "From the clipboard" }));
+    await eventually(async () => assert.equal((await documentOf(page)).title, "From the clipboard"));
+  },
 
-test("of several files the first is opened, and the page says so", async (t) => {
-  const page = await openPage(t);
-  await drop(page, [
-    { name: "first.svg", content: DRAWING },
-    { name: "second.svg", content: DRAWING },
-  ]);
-  await panel(page).waitFor();
-  assert.match(await panel(page).locator("h2").textContent() ?? "", /first\.svg/);
-  await eventually(async () => assert.match(await status(page), /2 files were dropped; only first\.svg was opened/));
+  "a new document takes shapes one by one": async (page) => {
+    await newDocument(page);
+    await paste(page, DRAWING);
+    await results(page);
+    await page.locator("[data-box=import-1]").uncheck();
+    await eventually(async () => assert.ok(await command(page, "place-0").isEnabled()));
+    assert.ok(await command(page, "place-1").isHidden());
+    await command(page, "place-0").click();
+    await eventually(async () => assert.equal((await documentOf(page)).curves[0]?.name, "hole"));
+    await paste(page, DRAWING);
+    await results(page);
+    await page.locator("[data-box=import-0]").uncheck();
+    await eventually(async () => assert.ok(await command(page, "place-1").isEnabled()));
+    await command(page, "place-1").click();
+    await eventually(async () => assert.equal((await documentOf(page)).curves[1]?.name, "plate"));
+    await page.waitForSelector("#status[data-verdict=verified]");
+  },
 });
 
 const random = Buffer.from(Array.from({ length: 3000 }, (_, i) => (i * 7919 + (i * i) % 251) % 256));

@@ -7,6 +7,7 @@ import { documentNamed, documentNames, lessonFolder } from "../../../scripts/lib
 import { readLesson } from "../../../scripts/lib/lesson.mjs";
 import { figureDocument, momentOf } from "../../../www/src/lessons/document.js";
 import { audit } from "../support/axe.js";
+import { onOnePage } from "./one-page.js";
 import { openPage, openRaw } from "./open.js";
 import { documentOf, drag, drawn, eventually, field, handle, middle, ready, spoken, uiOf } from "./workbench.js";
 
@@ -72,14 +73,183 @@ test("nothing of lessons is loaded until they are opened; every step has a link,
   await shows(page, first, 1);
 });
 
-test("a link to what there is not says so, and a step past the end is the last", async (t) => {
-  const page = await openPage(t);
-  await page.evaluate(() => void (location.hash = "#lesson=<b>nothing</b>&step=2"));
-  await eventually(async () => assert.match(await page.locator(".lesson-refused").innerText(), /There is no lesson “<b>nothing<\/b>”/));
-  await page.getByRole("link", { name: greedy.title }).click();
-  await shows(page, greedy, 1);
-  await page.evaluate((name) => void (location.hash = `#lesson=${name}&step=99`), first.name);
-  await shows(page, first, first.steps.length);
+onOnePage("lessons", {
+  "a link to what there is not says so, and a step past the end is the last": async (page) => {
+    await page.evaluate(() => void (location.hash = "#lesson=<b>nothing</b>&step=2"));
+    await eventually(async () => assert.match(await page.locator(".lesson-refused").innerText(), /There is no lesson “<b>nothing<\/b>”/));
+    await page.getByRole("link", { name: greedy.title }).click();
+    await shows(page, greedy, 1);
+    await page.evaluate((name) => void (location.hash = `#lesson=${name}&step=99`), first.name);
+    await shows(page, first, first.steps.length);
+  },
+
+  "arrow keys and a clicker go from step to step and from lesson to lesson; P presents, Escape ends it": async (page) => {
+    await goTo(page, first, first.steps.length - 1);
+    await page.keyboard.press("PageDown");
+    await shows(page, first, first.steps.length);
+    await page.keyboard.press("ArrowRight");
+    await shows(page, /** @type {Lesson} */ (lessons[1]), 1);
+    await page.keyboard.press("PageUp");
+    await shows(page, first, first.steps.length);
+    const size = () => page.locator(".lesson-text p").first().evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
+    const plain = await size();
+    await page.keyboard.press("p");
+    await eventually(async () => assert.ok((await size()) > 1.4 * plain));
+    assert.ok(await page.locator("#bar").isHidden());
+    assert.ok(await page.locator(".lesson-list").isHidden());
+    await eventually(async () => assert.match(await spoken(page), /^Presentation\./));
+    await page.keyboard.press("ArrowLeft");
+    await shows(page, first, first.steps.length - 1);
+    const wide = await page.locator(".lesson-picture").boundingBox();
+    assert.ok(wide && wide.width > 600 && wide.x + wide.width <= 1440);
+    assert.deepEqual(await audit(page), []);
+    await page.keyboard.press("Escape");
+    await eventually(async () => assert.ok(await page.locator("#bar").isVisible()));
+    assert.equal(await size(), plain);
+    await control(page, "present").click();
+    await control(page, "end").click();
+    assert.ok(await page.locator("#bar").isVisible());
+  },
+
+  "a prediction is made by pointer and by keyboard, shows the reason, and stays": async (page) => {
+    await goTo(page, first, 2);
+    const told = page.locator(".lesson-told");
+    assert.ok(await told.isHidden());
+    await page.locator("[data-choice='0']").click();
+    assert.match(await told.innerText(), /^Not quite\. It is/);
+    assert.equal(await page.locator(".lesson-question").getAttribute("data-verdict"), "wrong");
+    assert.ok(await page.locator("[data-choice='1'].right").isVisible());
+    await eventually(async () => assert.match(await spoken(page), /^Not quite\..*50 % polymer/));
+    await page.locator("[data-choice='1']").dispatchEvent("click");
+    assert.equal(await page.locator(".lesson-question").getAttribute("data-verdict"), "wrong", "a prediction is made once");
+    await goTo(page, first, 3);
+    await page.locator("[data-choice='2']").focus();
+    await page.keyboard.press("Enter");
+    assert.match(await told.innerText(), /^Right\./);
+    await goTo(page, first, 2);
+    assert.match(await told.innerText(), /^Not quite\./);
+    await goTo(page, first, 5);
+    await control(page, "reveal").click();
+    assert.match(await told.innerText(), /^Answer\./);
+  },
+
+  "where a line lands is predicted by the keyboard or by a click on a vertex": async (page) => {
+    const { figure } = /** @type {Lesson["steps"][0]} */ (greedy.steps[2]);
+    const source = figureDocument(await documentNamed(figure.document), figure);
+    const steps = dx.steps(source);
+    const line = steps.growth[momentOf(steps, figure.step) - 1];
+    assert.ok(line);
+    await goTo(page, greedy, 3);
+    assert.equal(await page.locator(".step-winner").getAttribute("d"), "", "the line is not told");
+    await control(page, "choose").click();
+    await page.keyboard.press("ArrowRight");
+    await eventually(async () => assert.match(await spoken(page), /^Aim at q\d+$/));
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.match(await page.locator(".lesson-told").innerText(), /^(Right|Not quite)\. [^]*lands on/));
+    assert.notEqual(await page.locator(".step-winner").getAttribute("d"), "");
+    assert.ok(await page.locator(".lesson-reveal").count() === 0);
+
+    await page.reload();
+    await shows(page, greedy, 3);
+    const box = await page.locator(".lesson-picture").boundingBox();
+    assert.ok(box);
+    const view = dx.fit(source, { width: Math.round(box.width), height: Math.round(box.height) });
+    const [x = 0, y = 0] = samplesOf(source)[1].points[line.to] ?? [];
+    const place = [box.x + box.width / 2 + (x - view.center[0]) * view.scale, box.y + box.height / 2 - (y - view.center[1]) * view.scale];
+    await page.mouse.click(place[0] ?? 0, place[1] ?? 0);
+    await eventually(async () => assert.match(await page.locator(".lesson-told").innerText(), /^Right\./));
+  },
+
+  "terms light up what they name, by pointer and by focus, and are lit by it": async (page) => {
+    await goTo(page, first, 4);
+    await term(page, "lines").hover();
+    await eventually(async () => assert.equal(await lit(page, "strokes"), 44));
+    await term(page, "second").focus();
+    await eventually(async () => assert.equal(await lit(page, "strokes"), 1));
+    await page.mouse.move(10, 300);
+    await term(page, "stage").focus();
+    await eventually(async () => assert.equal(await lit(page, "strokes"), 1));
+    await page.locator(".lesson h1").focus();
+    await eventually(async () => assert.equal(await lit(page, "strokes"), 0));
+
+    const box = await page.locator(".lesson-picture").boundingBox();
+    assert.ok(box);
+    // Downwards from the middle of the hole the first thing to come is the first curve, then the ring with its lines and the outline.
+    /** @type {Set<string>} */
+    const found = new Set();
+    for (let y = box.y + box.height * 0.5; y < box.y + box.height; y += 3) {
+      await page.mouse.move(box.x + box.width * 0.5, y);
+      const now = await page.locator(".lesson .term.lit").first().getAttribute("data-term", { timeout: 50 }).catch(() => null);
+      if (now) found.add(now);
+    }
+    for (const name of ["first", "second"]) assert.ok(found.has(name), [...found].join());
+    assert.ok(found.has("stage") || found.has("lines"), [...found].join());
+
+    await goTo(page, greedy, 4);
+    await term(page, "winner").hover();
+    await eventually(async () => assert.equal(await lit(page, "strokes"), 1));
+    await term(page, "valid").click();
+    await page.mouse.move(10, 300);
+    await eventually(async () => assert.equal(await lit(page, "dots"), 5, "a term that was pressed stays lit"));
+  },
+
+  "control points of a figure are dragged and moved by keys; R puts them back": async (page) => {
+    await goTo(page, first, 3);
+    const point = page.locator(".lesson-handles .handle").nth(12);
+    const name = () => point.getAttribute("aria-label");
+    const start = await name();
+    const numbers = () => page.locator(".lesson-status").innerText();
+    const eta = await numbers();
+    await drag(page, await middle(point), [24, -18]);
+    await eventually(async () => assert.notEqual(await numbers(), eta));
+    const dragged = await name();
+    assert.notEqual(dragged, start);
+    await point.focus();
+    await page.keyboard.press("Shift+ArrowLeft");
+    await eventually(async () => assert.equal(await spoken(page), await name()));
+    assert.notEqual(await name(), dragged);
+    await page.locator(".lesson h1").focus();
+    await page.keyboard.press("r");
+    await eventually(async () => assert.equal(await name(), start));
+    await eventually(async () => assert.equal(await numbers(), eta));
+  },
+
+  "with reduced motion play goes from in-between to in-between": async (page) => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await goTo(page, first, 4);
+    assert.equal(await control(page, "play").getAttribute("aria-label"), "Next in-between curve");
+    await control(page, "play").click();
+    await eventually(async () => assert.equal(await control(page, "s").innerText(), "0.60"));
+    await page.waitForTimeout(400);
+    assert.equal(await control(page, "s").innerText(), "0.60");
+    await control(page, "reset").click();
+    await eventually(async () => assert.equal(await control(page, "s").innerText(), "0.40"));
+    await goTo(page, greedy, 4);
+    await page.locator("[data-steps=play]").click();
+    await eventually(async () => assert.equal(await page.locator(".lesson-figure").getAttribute("data-step"), "9"));
+    await page.emulateMedia({ reducedMotion: "no-preference" });
+  },
+
+  "without reduced motion play moves the outline and can be paused": async (page) => {
+    await goTo(page, first, 4);
+    await control(page, "play").click();
+    await eventually(async () => assert.notEqual(await control(page, "s").innerText(), "0.40"));
+    await control(page, "play").click();
+    assert.equal(await control(page, "play").getAttribute("aria-label"), "Play");
+  },
+
+  "print shows the step alone": async (page) => {
+    await goTo(page, first, 2);
+    await page.emulateMedia({ media: "print" });
+    for (const selector of ["#bar", ".lesson-list", ".lesson-foot", ".lesson-controls", "#status"]) {
+      assert.ok(await page.locator(selector).isHidden(), selector);
+    }
+    for (const selector of [".lesson h1", ".lesson-picture canvas", ".lesson figcaption", ".lesson-question"]) {
+      assert.ok(await page.locator(selector).isVisible(), selector);
+    }
+    assert.ok(await page.locator(".lesson-scroll").evaluate((element) => element.scrollHeight <= element.clientHeight + 1), "nothing is cut off");
+    await page.emulateMedia({ media: "screen" });
+  },
 });
 
 test("where lessons cannot be fetched the page says so and goes on with the curves", async (t) => {
@@ -106,133 +276,6 @@ test("formulas are set under a policy that allows no styles in texts", async (t)
   const struts = await page.locator(".katex-strut").evaluateAll((all) => all.map((strut) => strut.getBoundingClientRect().height));
   assert.ok(struts.length > 5 && struts.every((height) => height > 4), struts.join());
   assert.deepEqual(complaints.filter((text) => /style/i.test(text)), []);
-});
-
-test("print shows the step alone", async (t) => {
-  const page = await openPage(t);
-  await goTo(page, first, 2);
-  await page.emulateMedia({ media: "print" });
-  for (const selector of ["#bar", ".lesson-list", ".lesson-foot", ".lesson-controls", "#status"]) {
-    assert.ok(await page.locator(selector).isHidden(), selector);
-  }
-  for (const selector of [".lesson h1", ".lesson-picture canvas", ".lesson figcaption", ".lesson-question"]) {
-    assert.ok(await page.locator(selector).isVisible(), selector);
-  }
-  assert.ok(await page.locator(".lesson-scroll").evaluate((element) => element.scrollHeight <= element.clientHeight + 1), "nothing is cut off");
-});
-
-test("arrow keys and a clicker go from step to step and from lesson to lesson; P presents, Escape ends it", async (t) => {
-  const page = await openPage(t);
-  await goTo(page, first, first.steps.length - 1);
-  await page.keyboard.press("PageDown");
-  await shows(page, first, first.steps.length);
-  await page.keyboard.press("ArrowRight");
-  await shows(page, /** @type {Lesson} */ (lessons[1]), 1);
-  await page.keyboard.press("PageUp");
-  await shows(page, first, first.steps.length);
-  const size = () => page.locator(".lesson-text p").first().evaluate((element) => parseFloat(getComputedStyle(element).fontSize));
-  const plain = await size();
-  await page.keyboard.press("p");
-  await eventually(async () => assert.ok((await size()) > 1.4 * plain));
-  assert.ok(await page.locator("#bar").isHidden());
-  assert.ok(await page.locator(".lesson-list").isHidden());
-  await eventually(async () => assert.match(await spoken(page), /^Presentation\./));
-  await page.keyboard.press("ArrowLeft");
-  await shows(page, first, first.steps.length - 1);
-  const wide = await page.locator(".lesson-picture").boundingBox();
-  assert.ok(wide && wide.width > 600 && wide.x + wide.width <= 1440);
-  assert.deepEqual(await audit(page), []);
-  await page.keyboard.press("Escape");
-  await eventually(async () => assert.ok(await page.locator("#bar").isVisible()));
-  assert.equal(await size(), plain);
-  await control(page, "present").click();
-  await control(page, "end").click();
-  assert.ok(await page.locator("#bar").isVisible());
-});
-
-test("a prediction is made by pointer and by keyboard, shows the reason, and stays", async (t) => {
-  const page = await openPage(t);
-  await goTo(page, first, 2);
-  const told = page.locator(".lesson-told");
-  assert.ok(await told.isHidden());
-  await page.locator("[data-choice='0']").click();
-  assert.match(await told.innerText(), /^Not quite\. It is/);
-  assert.equal(await page.locator(".lesson-question").getAttribute("data-verdict"), "wrong");
-  assert.ok(await page.locator("[data-choice='1'].right").isVisible());
-  await eventually(async () => assert.match(await spoken(page), /^Not quite\..*50 % polymer/));
-  await page.locator("[data-choice='1']").dispatchEvent("click");
-  assert.equal(await page.locator(".lesson-question").getAttribute("data-verdict"), "wrong", "a prediction is made once");
-  await goTo(page, first, 3);
-  await page.locator("[data-choice='2']").focus();
-  await page.keyboard.press("Enter");
-  assert.match(await told.innerText(), /^Right\./);
-  await goTo(page, first, 2);
-  assert.match(await told.innerText(), /^Not quite\./);
-  await goTo(page, first, 5);
-  await control(page, "reveal").click();
-  assert.match(await told.innerText(), /^Answer\./);
-});
-
-test("where a line lands is predicted by the keyboard or by a click on a vertex", async (t) => {
-  const { figure } = /** @type {Lesson["steps"][0]} */ (greedy.steps[2]);
-  const source = figureDocument(await documentNamed(figure.document), figure);
-  const steps = dx.steps(source);
-  const line = steps.growth[momentOf(steps, figure.step) - 1];
-  assert.ok(line);
-  const page = await openPage(t);
-  await goTo(page, greedy, 3);
-  assert.equal(await page.locator(".step-winner").getAttribute("d"), "", "the line is not told");
-  await control(page, "choose").click();
-  await page.keyboard.press("ArrowRight");
-  await eventually(async () => assert.match(await spoken(page), /^Aim at q\d+$/));
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.match(await page.locator(".lesson-told").innerText(), /^(Right|Not quite)\. [^]*lands on/));
-  assert.notEqual(await page.locator(".step-winner").getAttribute("d"), "");
-  assert.ok(await page.locator(".lesson-reveal").count() === 0);
-
-  await page.reload();
-  await shows(page, greedy, 3);
-  const box = await page.locator(".lesson-picture").boundingBox();
-  assert.ok(box);
-  const view = dx.fit(source, { width: Math.round(box.width), height: Math.round(box.height) });
-  const [x = 0, y = 0] = samplesOf(source)[1].points[line.to] ?? [];
-  const place = [box.x + box.width / 2 + (x - view.center[0]) * view.scale, box.y + box.height / 2 - (y - view.center[1]) * view.scale];
-  await page.mouse.click(place[0] ?? 0, place[1] ?? 0);
-  await eventually(async () => assert.match(await page.locator(".lesson-told").innerText(), /^Right\./));
-});
-
-test("terms light up what they name, by pointer and by focus, and are lit by it", async (t) => {
-  const page = await openPage(t);
-  await goTo(page, first, 4);
-  await term(page, "lines").hover();
-  await eventually(async () => assert.equal(await lit(page, "strokes"), 44));
-  await term(page, "second").focus();
-  await eventually(async () => assert.equal(await lit(page, "strokes"), 1));
-  await page.mouse.move(10, 300);
-  await term(page, "stage").focus();
-  await eventually(async () => assert.equal(await lit(page, "strokes"), 1));
-  await page.locator(".lesson h1").focus();
-  await eventually(async () => assert.equal(await lit(page, "strokes"), 0));
-
-  const box = await page.locator(".lesson-picture").boundingBox();
-  assert.ok(box);
-  // Downwards from the middle of the hole the first thing to come is the first curve, then the ring with its lines and the outline.
-  /** @type {Set<string>} */
-  const found = new Set();
-  for (let y = box.y + box.height * 0.5; y < box.y + box.height; y += 3) {
-    await page.mouse.move(box.x + box.width * 0.5, y);
-    const now = await page.locator(".lesson .term.lit").first().getAttribute("data-term", { timeout: 50 }).catch(() => null);
-    if (now) found.add(now);
-  }
-  for (const name of ["first", "second"]) assert.ok(found.has(name), [...found].join());
-  assert.ok(found.has("stage") || found.has("lines"), [...found].join());
-
-  await goTo(page, greedy, 4);
-  await term(page, "winner").hover();
-  await eventually(async () => assert.equal(await lit(page, "strokes"), 1));
-  await term(page, "valid").click();
-  await page.mouse.move(10, 300);
-  await eventually(async () => assert.equal(await lit(page, "dots"), 5, "a term that was pressed stays lit"));
 });
 
 test("a figure opens in the editor as it stands, and the document that was open is kept", async (t) => {
@@ -321,28 +364,6 @@ test("a figure shows the reader's own curves; keys, undo and paste do not reach 
     await drawn(page);
   }
   await eventually(async () => assert.deepEqual((await documentOf(page)).curves, before.curves));
-});
-
-test("control points of a figure are dragged and moved by keys; R puts them back", async (t) => {
-  const page = await openPage(t);
-  await goTo(page, first, 3);
-  const point = page.locator(".lesson-handles .handle").nth(12);
-  const name = () => point.getAttribute("aria-label");
-  const start = await name();
-  const numbers = () => page.locator(".lesson-status").innerText();
-  const eta = await numbers();
-  await drag(page, await middle(point), [24, -18]);
-  await eventually(async () => assert.notEqual(await numbers(), eta));
-  const dragged = await name();
-  assert.notEqual(dragged, start);
-  await point.focus();
-  await page.keyboard.press("Shift+ArrowLeft");
-  await eventually(async () => assert.equal(await spoken(page), await name()));
-  assert.notEqual(await name(), dragged);
-  await page.locator(".lesson h1").focus();
-  await page.keyboard.press("r");
-  await eventually(async () => assert.equal(await name(), start));
-  await eventually(async () => assert.equal(await numbers(), eta));
 });
 
 test("a cell by hand: what is summed at a place, what rides along when a coefficient moves, and J inside", async (t) => {
@@ -514,28 +535,6 @@ test("a cell by hand: what is summed at a place, what rides along when a coeffic
   await eventually(async () => assert.match(await page.locator(".lesson-message").innerText(), /^Your document is a body/));
 });
 
-test("with reduced motion play goes from in-between to in-between", async (t) => {
-  const page = await openPage(t, { reducedMotion: "reduce" });
-  await goTo(page, first, 4);
-  assert.equal(await control(page, "play").getAttribute("aria-label"), "Next in-between curve");
-  await control(page, "play").click();
-  await eventually(async () => assert.equal(await control(page, "s").innerText(), "0.60"));
-  await page.waitForTimeout(400);
-  assert.equal(await control(page, "s").innerText(), "0.60");
-  await goTo(page, greedy, 4);
-  await page.locator("[data-steps=play]").click();
-  await eventually(async () => assert.equal(await page.locator(".lesson-figure").getAttribute("data-step"), "9"));
-});
-
-test("without reduced motion play moves the outline and can be paused", async (t) => {
-  const page = await openPage(t);
-  await goTo(page, first, 4);
-  await control(page, "play").click();
-  await eventually(async () => assert.notEqual(await control(page, "s").innerText(), "0.40"));
-  await control(page, "play").click();
-  assert.equal(await control(page, "play").getAttribute("aria-label"), "Play");
-});
-
 test("axe finds nothing on any step", async (t) => {
   const page = await openPage(t);
   for (const lesson of lessons) {
@@ -548,7 +547,7 @@ test("axe finds nothing on any step", async (t) => {
       seen.add(make);
       await goTo(page, lesson, step + 1);
       // The frame around a step is the same on all of them.
-      assert.deepEqual(await audit(page, step === 0 ? undefined : [".lesson"]), [], `${lesson.name}, step ${step + 1}`);
+      assert.deepEqual(await audit(page, lesson === first && step === 0 ? undefined : [".lesson"]), [], `${lesson.name}, step ${step + 1}`);
     }
   }
 });
@@ -563,7 +562,7 @@ test("on a phone, in the dark: contents, turning, targets, and nothing wider tha
   await shows(page, greedy, 1);
   for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3], [validity, 3], [corner, 2], [material, 1], [transform, 3], [overlaps, 2], [voxels, 1], [elements, 3], [precondition, 2]])) {
     await goTo(page, lesson, step);
-    assert.deepEqual(await audit(page), []);
+    assert.deepEqual(await audit(page, lesson === greedy ? undefined : [".lesson"]), []);
     const wide = await page.locator(".lesson-scroll").evaluate((element) => element.scrollWidth > element.clientWidth);
     assert.equal(wide, false, `${lesson.name}, step ${step}`);
     const own = lesson.order < cell.order ? ["mine"] : (lesson === cell && step === 3) || lesson === corner ? ["coefficient"] : lesson === overlaps ? ["place"] : [];

@@ -1,61 +1,61 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { onOnePage } from "./one-page.js";
 import { openPage, openRaw } from "./open.js";
 import { choosePoint, documentOf, eventually, field, handle, pick, status } from "./workbench.js";
 
-test("the page opens on a finished figure with its certificates", async (t) => {
-  const page = await openPage(t);
-  const text = await status(page);
-  assert.match(text, /Verified/);
-  for (const word of ["lines", "mean", "crossings", "blocked", "uncovered", "ms"])
-    assert.ok(text.includes(word), `${word} in ${text}`);
-  assert.ok(await handle(page, "A1").isVisible());
-  const { title } = await documentOf(page);
-  assert.ok((await page.title()).startsWith(title));
-  assert.equal(await page.locator("[data-state]").textContent(), "");
-  const colors = await page.locator("#picture").evaluate((element) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (element);
-    const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(
-      0,
-      0,
-      canvas.width,
-      canvas.height,
-    );
-    const seen = new Set();
-    for (let i = 0; i < data.length; i += 4)
-      seen.add(
-        /** @type {number} */ (data[i] << 16) |
-          /** @type {number} */ (data[i + 1] << 8) |
-          /** @type {number} */ (data[i + 2]),
+onOnePage("the page as it opens", {
+  "the page opens on a finished figure with its certificates": async (page) => {
+    const text = await status(page);
+    assert.match(text, /Verified/);
+    for (const word of ["lines", "mean", "crossings", "blocked", "uncovered", "ms"])
+      assert.ok(text.includes(word), `${word} in ${text}`);
+    assert.ok(await handle(page, "A1").isVisible());
+    const { title } = await documentOf(page);
+    assert.ok((await page.title()).startsWith(title));
+    assert.equal(await page.locator("[data-state]").textContent(), "");
+    const colors = await page.locator("#picture").evaluate((element) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (element);
+      const { data } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(
+        0,
+        0,
+        canvas.width,
+        canvas.height,
       );
-    return seen.size;
-  });
-  assert.ok(colors > 1000, `${colors} colours`);
-});
+      const seen = new Set();
+      for (let i = 0; i < data.length; i += 4)
+        seen.add(
+          /** @type {number} */ (data[i] << 16) |
+            /** @type {number} */ (data[i + 1] << 8) |
+            /** @type {number} */ (data[i + 2]),
+        );
+      return seen.size;
+    });
+    assert.ok(colors > 1000, `${colors} colours`);
+  },
 
-test("no number on the page is NaN, infinite or a negative zero", async (t) => {
-  const page = await openPage(t);
-  const text = `${await page.locator("body").innerText()} ${await page.locator("input").evaluateAll((all) => all.map((each) => /** @type {HTMLInputElement} */ (each).value).join(" "))}`;
-  assert.doesNotMatch(text, /NaN|Infinity|undefined|null|[-\u2212]0(\.0+)?(?![.\d])/);
-});
+  "no number on the page is NaN, infinite or a negative zero": async (page) => {
+    const text = `${await page.locator("body").innerText()} ${await page.locator("input").evaluateAll((all) => all.map((each) => /** @type {HTMLInputElement} */ (each).value).join(" "))}`;
+    assert.doesNotMatch(text, /NaN|Infinity|undefined|null|[-\u2212]0(\.0+)?(?![.\d])/);
+  },
 
-test("a curve that crosses itself is named with the place, and the document stays", async (t) => {
-  const page = await openPage(t);
-  const { curves } = await documentOf(page);
-  const [x, y] = curves[1].points[Math.floor(curves[1].points.length / 2)];
-  await choosePoint(page, "B1");
-  await field(page, "x").fill(String(x * 1.6));
-  await page.keyboard.press("Enter");
-  await field(page, "y").fill(String(y * 1.6));
-  await page.keyboard.press("Enter");
-  await eventually(async () => assert.match(await status(page), /(crosses itself|touch) near \(.+\)\. Move/));
-  assert.deepEqual((await documentOf(page)).curves[1].points[0], [
-    Number((x * 1.6).toFixed(12)),
-    Number((y * 1.6).toFixed(12)),
-  ]);
-  await page.keyboard.press("Control+z");
-  await page.keyboard.press("Control+z");
-  await eventually(async () => assert.match(await status(page), /Verified/));
+  "a curve that crosses itself is named with the place, and the document stays": async (page) => {
+    const { curves } = await documentOf(page);
+    const [x, y] = curves[1].points[Math.floor(curves[1].points.length / 2)];
+    await choosePoint(page, "B1");
+    await field(page, "x").fill(String(x * 1.6));
+    await page.keyboard.press("Enter");
+    await field(page, "y").fill(String(y * 1.6));
+    await page.keyboard.press("Enter");
+    await eventually(async () => assert.match(await status(page), /(crosses itself|touch) near \(.+\)\. Move/));
+    assert.deepEqual((await documentOf(page)).curves[1].points[0], [
+      Number((x * 1.6).toFixed(12)),
+      Number((y * 1.6).toFixed(12)),
+    ]);
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Control+z");
+    await eventually(async () => assert.match(await status(page), /Verified/));
+  },
 });
 
 test("without WebAssembly there is a plain message", async (t) => {

@@ -139,6 +139,13 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
   test(`axe finds nothing wrong in any state, ${colorScheme}`, async (t) => {
     const page = await openPage(t, { colorScheme });
     await page.locator("[data-segment=mode]").waitFor();
+    await t.test("words and marks over the canvas stand out", async () => {
+      await eventually(async () => {
+        const found = await overlays(page);
+        assert.ok(found.length > 24, `${found.length}`);
+        for (const { name, ratio, least } of found) assert.ok(ratio >= least, `${name}: ${ratio.toFixed(2)}`);
+      });
+    });
     for (const [name, go] of STOPS) {
       const parts = await go(page).catch((error) => assert.fail(`${name}: ${error}`));
       assert.deepEqual(await audit(page, parts), [], name);
@@ -188,15 +195,3 @@ const overlays = (page) =>
     }
     return found;
   });
-
-for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-  test(`words and marks over the canvas stand out, ${colorScheme}`, async (t) => {
-    const page = await openPage(t, { colorScheme });
-    await page.locator("[data-segment=mode]").waitFor();
-    await eventually(async () => {
-      const found = await overlays(page);
-      assert.ok(found.length > 24, `${found.length}`);
-      for (const { name, ratio, least } of found) assert.ok(ratio >= least, `${name}: ${ratio.toFixed(2)}`);
-    });
-  });
-}

@@ -24,3 +24,25 @@ export async function audit(page, within) {
     nodes.map((node) => `${id} (${help}): ${node.target.join(" ")}: ${node.failureSummary ?? ""}`),
   );
 }
+
+/**
+ * What axe finds wrong in the page when the system is light and when it is dark, once what fades from one to the other has faded.
+ *
+ * @param {Page} page
+ * @param {string[]} [within] as of `audit`
+ * @returns {Promise<string[]>} empty for a clean page
+ */
+export async function auditThemes(page, within) {
+  /** @type {string[]} */
+  const found = [];
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    await page.emulateMedia({ colorScheme });
+    await page.evaluate(async () => {
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      const fading = document.getAnimations().filter((each) => each instanceof CSSTransition);
+      await Promise.allSettled(fading.map(({ finished }) => finished));
+    });
+    found.push(...(await audit(page, within)).map((line) => `${colorScheme}: ${line}`));
+  }
+  return found;
+}

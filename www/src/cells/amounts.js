@@ -80,7 +80,8 @@ export function createAmounts(app, place) {
     render() {
       const { document } = app.store;
       const match = currentMatch(app);
-      if (asked === document || (awaited?.document === document && awaited.match === match)) return;
+      // Its match may come after the pause, and is asked about then.
+      if (awaited?.document === document && awaited.match === match) return;
       awaited = { document, match };
       clearTimeout(timer);
       timer = setTimeout(() => void refresh(), PAUSE);

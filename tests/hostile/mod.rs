@@ -5,15 +5,12 @@
 
 #![cfg(feature = "curves")]
 
-#[path = "../support/mod.rs"]
-mod support;
-
+use crate::support::{SEED, seeded};
 use directrix::document::{DocumentError, Json, Outcome, Solution, Solve, read_text};
 use directrix::picture::{PictureOptions, figure, paint, to_svg};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
-use support::{SEED, seeded};
 
 /// Longest that one input may take here, natively and with the checks of a test build: a hang is longer.
 const PATIENCE: Duration = Duration::from_secs(10);

@@ -2,9 +2,9 @@
 
 mod pictures;
 mod presets;
-#[path = "../support/mod.rs"]
-mod support;
 
+use self::presets::{Preset, presets};
+use crate::support::seeded;
 use directrix::document::Json;
 use directrix::document::{
     Code, Diagnostic, DocumentError, Outcome, Solution, Solve, insert_point, read_text, write_text,
@@ -13,11 +13,9 @@ use directrix::matching::blocking_edge;
 use directrix::morph::Band;
 use directrix::picture::{Item, PictureOptions, figure, paint, to_svg};
 use glam::{DVec2, dvec2};
-use presets::{Preset, presets};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use support::seeded;
 
 fn ring(radius: f64, count: usize, center: DVec2) -> Value {
     let point = |k: usize| center + radius * DVec2::from_angle(TAU * k as f64 / count as f64);

@@ -2,23 +2,21 @@
 
 #![cfg(feature = "curves")]
 
-#[path = "../support/golden.rs"]
-mod golden;
 mod xml;
 
 use std::f64::consts::TAU;
 
+use self::xml::{elements, is_xml};
+use crate::support::golden::{self, Picture, SAME_CODE, differences};
 use directrix::geom::Bounds;
 use directrix::material::{Color, Composition, Oklab, mix_colors};
 use directrix::picture::{
     DisplayList, Item, Margins, Mesh, PaintError, Path, StrokeStyle, Theme, Viewport, paint, to_svg,
 };
 use glam::DVec2;
-use golden::{Picture, SAME_CODE, differences};
 use palette::{FromColor, IntoColor, Srgb};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use xml::{elements, is_xml};
 
 const YELLOW: Color = Color::new(0xf0, 0xe4, 0x42);
 const BLUE: Color = Color::new(0x00, 0x72, 0xb2);
