@@ -241,7 +241,7 @@ const coating = part(
 /** A plate with two pipes and a foot, insulated elsewhere: what heat would do between them, material does. */
 const heatPlate = part(
   "Plate between two pipes",
-  [{ name: "copper", color: "#d55e00" }, { name: "steel", color: "#0072b2" }, { name: "ceramic", color: "#f0e442" }],
+  [{ name: "copper", color: "#d55e00" }, { name: "steel", color: "#c3c9d2" }, { name: "ceramic", color: "#f0e442" }],
   [
     box("plate", 0, 0, 120, 70),
     { name: "copper pipe", kind: "circle", center: [34, 42], radius: 11 },
@@ -269,7 +269,7 @@ const heatPlate = part(
 /** A material fillet between adjacent components, as that of Fig. 23: what lies between two bodies takes its boundary from both. */
 const fillet = part(
   "Material fillet between shaft and hub",
-  [{ name: "steel", color: "#0072b2" }, { name: "bronze", color: "#d55e00" }, { name: "aluminium", color: "#f0e442" }],
+  [{ name: "steel", color: "#c3c9d2" }, { name: "bronze", color: "#d55e00" }, { name: "aluminium", color: "#f0e442" }],
   [
     box("hub", -60, -42, 120, 84),
     {

@@ -12,7 +12,7 @@ const VARIABLES: [&str; 4] = ["x", "y", "z", "r"];
 /// How far an angle may be passed for rounding's sake, in its cosine.
 const ROUNDING: f64 = 1e-12;
 
-type Made<T> = Result<T, BoundaryDiagnostic>;
+type Made<T> = Result<T, Box<BoundaryDiagnostic>>;
 
 /// A selection whose expression can be evaluated.
 #[derive(Debug, Clone)]
@@ -40,9 +40,9 @@ enum Part {
 }
 
 fn expression(text: &str, path: &str) -> Made<Expression> {
-    Expression::new(text, &VARIABLES).map_err(|error| BoundaryDiagnostic {
-        character: Some(error.at),
-        ..BoundaryDiagnostic::new("expression", path, error.to_string())
+    Expression::new(text, &VARIABLES).map_err(|error| {
+        let fault = BoundaryDiagnostic::new("expression", path, error.to_string());
+        Box::new(BoundaryDiagnostic { character: Some(error.at), ..fault })
     })
 }
 

@@ -138,8 +138,9 @@ fn linear(
             for (term, datum) in terms.iter().zip(at(element, corner)?) {
                 let value: f64 = term.iter().zip(row).map(|(x, part)| x * part).sum();
                 let datum = scaled(is_value, datum);
-                // A number that is none differs as well.
-                if !((value - datum).abs() <= LINEAR * (1.0 + datum.abs())) {
+                // A number that is none is not near either.
+                let is_near = (value - datum).abs() <= LINEAR * (1.0 + datum.abs());
+                if !is_near {
                     return None;
                 }
             }
@@ -186,8 +187,9 @@ impl Equations {
             self.matrix.swap(k, pivot);
             self.sides.iter_mut().for_each(|side| side.swap(k, pivot));
             let upper = self.matrix[k];
-            // A number that is none is refused as well.
-            if !(upper[k].abs() > SINGULAR * greatest) {
+            // A number that is none is no pivot either.
+            let is_pivot = upper[k].abs() > SINGULAR * greatest;
+            if !is_pivot {
                 return None;
             }
             for i in k + 1..4 {

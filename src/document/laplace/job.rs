@@ -320,14 +320,14 @@ impl BoundaryJob {
 impl Set {
     fn new(
         path: String,
-        chosen: Result<Chosen, BoundaryDiagnostic>,
-        known: Result<Known, BoundaryDiagnostic>,
+        chosen: Result<Chosen, Box<BoundaryDiagnostic>>,
+        known: Result<Known, Box<BoundaryDiagnostic>>,
         is_rest: bool,
         diagnostics: &mut Vec<BoundaryDiagnostic>,
     ) -> Self {
         // Both are looked at, so that all that is wrong with a group is said at once.
-        let chosen = chosen.map_err(|fault| diagnostics.push(fault)).ok();
-        let known = known.map_err(|fault| diagnostics.push(fault)).ok();
+        let chosen = chosen.map_err(|fault| diagnostics.push(*fault)).ok();
+        let known = known.map_err(|fault| diagnostics.push(*fault)).ok();
         let [range, sum] = [Tally::default(); 2];
         Self { path, chosen, known, is_rest, conflicts: HashMap::new(), range, sum }
     }
