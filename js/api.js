@@ -1,6 +1,6 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
-import { asking as askingLaplace, solving } from "./laplace.js";
+import { asking as askingLaplace, askingBoundary, solving } from "./laplace.js";
 import { merged } from "./merge.js";
 import { packed, valueOf } from "./operations.js";
 import { askingPart, partArguments, partMethods } from "./part.js";
@@ -190,6 +190,25 @@ export function createApi(engine) {
     };
   };
   /**
+   * The boundary of a document, or with points the exact fractions there.
+   *
+   * @param {string} text
+   * @param {unknown} [points]
+   */
+  const bounded = (text, points) => {
+    const work = ask(() => askingBoundary(whole(engine, "boundary", points === undefined ? "boundary" : "exact"), text, points));
+    return {
+      step: (/** @type {number} */ budget) => ask(() => work.step(budget)),
+      end: () => ({ answer: ask(() => work.answer()) }),
+    };
+  };
+  /** @param {unknown} document @param {unknown} [points] */
+  const boundaryOf = (document, points) => {
+    const work = bounded(ask(() => toText(document)), points);
+    work.step(Infinity);
+    return work.end().answer;
+  };
+  /**
    * Options and features of a transform. Without a limit the field is left out, which JSON has no infinity for.
    *
    * @param {import("./directrix.js").TransformInput} input
@@ -267,6 +286,14 @@ export function createApi(engine) {
         }
         return shapesOf(whole(engine, "readShapes").readShapes(text, format));
       }),
+    readMesh: (bytes) =>
+      ask(() => {
+        const list = bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes;
+        if (!(list instanceof Uint8Array)) {
+          throw new DirectrixError("type", "bytes", `${String(list)} was found; expected a Uint8Array or an ArrayBuffer`);
+        }
+        return whole(engine, "readMesh").readMesh(list);
+      }),
     fitCurve: (points, options) =>
       ask(() => whole(engine, "fitCurve").fitCurve(flatPoints(points), toText(options, "options"))),
     morphPaths: (document, options = {}) =>
@@ -295,6 +322,8 @@ export function createApi(engine) {
       work.step(Infinity);
       return work.answer();
     },
+    boundary: (document) => boundaryOf(document),
+    exact: (document, points) => boundaryOf(document, points ?? null),
     transformSteps: (input) => ask(() => whole(engine, "transformSteps").transformSteps(...transformInput(input))),
     part(document) {
       const text = ask(() => toText(document));
@@ -306,14 +335,15 @@ export function createApi(engine) {
       return { ...answer("part", {}), ...partMethods((question, args) => answer(question, partArguments(question, args))) };
     },
     job(document, options = {}) {
-      const { paint, solid, solidFile, harmonic, hyperpatch, part, distanceTransform, solveLaplace } = options;
+      const { paint, solid, solidFile, harmonic, hyperpatch, part, distanceTransform, solveLaplace, boundary } = options;
       const { coarse = paint?.coarse ?? harmonic?.coarse ?? false, greedy = false } = options;
       const ofLaplace = options.laplace
         ? askingLaplace(options.laplace.solution, options.laplace.question, options.laplace, ask)
         : solveLaplace && solving(ask(() => whole(engine, "laplace", "solveLaplace")), solveLaplace, ask);
       const free = ofLaplace ? laplace(ofLaplace) : distanceTransform && transforming(distanceTransform);
       const ofPart = part && parted(ask(() => toText(document)), /** @type {any} */ (part.question), part.rest ?? {});
-      const asked = free ?? ofPart ?? (hyperpatch && body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {}));
+      const ofBoundary = boundary && bounded(ask(() => toText(document)), boundary.points);
+      const asked = free ?? ofPart ?? ofBoundary ?? (hyperpatch && body(received(document) ?? packed(document), hyperpatch.question, hyperpatch.rest ?? {}));
       if (asked) {
         /** @type {import("./directrix.js").Progress | undefined} */
         let last;

@@ -190,8 +190,31 @@ export interface PartBody {
   holes?: string[];
   /** Composition where no feature acts. */
   default?: number[];
+  /** What stands in for the default in the interior. */
+  blend?: PartBlend;
   rule?: "repaired" | "depth" | "printed";
   features?: PartFeature[];
+}
+
+/** A composition that solves Laplace's equation in a body, from what its boundary has; see docs/format.md. */
+export interface PartBlend {
+  kind: "laplace";
+  /** About how many elements the boundary is divided into, 32 to 2000; 300 by default. */
+  elements?: number;
+  /** Up to 32; nothing flows across what is in none of them. */
+  boundaries?: PartBoundary[];
+}
+
+/** A piece of a boundary with what is known on it: a composition, a gradient, what another has there, or that nothing flows across it. */
+export interface PartBoundary {
+  /** Name of the outline or of a hole, or of a shape that the boundary lies on. */
+  on: string;
+  /** How far the boundary may be from that shape. */
+  within?: number;
+  value?: number[];
+  /** Of each material how its fraction changes outwards, per unit of length; the sum is 0. */
+  flux?: number[];
+  from?: { body: string } | { feature: string };
 }
 
 /** The name of a shape, or the boundary of a body without what lies on some shapes. */
@@ -791,6 +814,8 @@ export interface JobOptions extends MatchOptions {
   greedy?: boolean;
   /** A distance transform; the document is left aside. */
   distanceTransform?: TransformInput;
+  /** The boundary of a document of a boundary value problem, or with `points` the exact fractions there. */
+  boundary?: { points?: Float64Array | number[] };
   /** A problem of Laplace's equation, whatever the document: `answer` is its solution. */
   solveLaplace?: LaplaceInput;
   /** A question about a solution: the name of one of its methods and the arguments of it. */
@@ -834,6 +859,104 @@ export interface LaplaceInput {
   /** Whether the materials are fractions that sum to 1. Default false. */
   composition?: boolean;
   solver?: LaplaceSolver;
+}
+
+/** Triangles as they were read from a file. */
+export interface ReadMesh {
+  /** Three coordinates each; those that are equal are one vertex. */
+  vertices: Float64Array;
+  /** Three vertices each, at most 32 000 triangles. */
+  triangles: Uint32Array;
+  /** Triangles with two equal vertices, which were left out. */
+  dropped: number;
+  format: "binary" | "text";
+}
+
+/** A document of a boundary value problem; docs/format.md defines every field. */
+export interface LaplaceDocument {
+  directrix: 1;
+  kind: "laplace";
+  title?: string;
+  unit?: string;
+  /** Two or more; their fractions are solved for. */
+  materials?: Material[];
+  model: LaplaceModel;
+  /** Sets of elements with their conditions. */
+  groups?: { name: string; where: LaplaceSelection; condition: LaplaceDatum }[];
+  /** The condition of elements in no group. */
+  rest?: LaplaceDatum;
+  solver?: LaplaceSolver;
+  /** A plane through a body in space, for display only. */
+  section?: { origin: SpacePoint; normal: SpacePoint };
+}
+
+/** The body by its boundary: one that its numbers make, or triangles counter-clockwise as seen from outside. */
+export type LaplaceModel =
+  | { kind: "cube" | "cylinder" | "fillet-block" | "square"; divisions?: number }
+  | { kind: "sliver-cube"; divisions?: number; width?: number }
+  | { kind: "hollow-box"; divisions?: number; wall?: number }
+  | { kind: "shell"; inner?: number; outer?: number; level?: number }
+  | { kind: "sphere"; radius?: number; level?: number }
+  | { kind: "mug"; sectors?: number; sliver?: number }
+  | { kind: "annulus"; inner?: number; outer?: number; segments?: number }
+  | { kind: "mesh"; vertices: SpacePoint[]; triangles: [number, number, number][] };
+
+/** Which elements are meant: those for which everything that is given holds. Vectors have two coordinates in the plane. */
+export interface LaplaceSelection {
+  /** The outward normal is within `angle` degrees of it. */
+  direction?: number[];
+  /** Default 10. */
+  angle?: number;
+  /** Two opposite corners; the centroid lies between them. */
+  box?: [number[], number[]];
+  /** An expression in x, y, z and r that is above 0 at the centroid. */
+  positive?: string;
+  /** First and last index of runs of elements. */
+  elements?: [number, number][];
+}
+
+/** For each material a number, or an expression in x, y, z and r, the distance to the z axis. */
+export type LaplaceDatum = { value: (number | string)[] } | { flux: (number | string)[] };
+
+/** The boundary that a document makes. Its first seven fields are what `solveLaplace` takes. */
+export interface LaplaceBoundary {
+  dimension: 2 | 3;
+  vertices: Float64Array;
+  elements: Uint32Array;
+  /** Of each element the index of its condition; their number where it has none. */
+  groups: Uint32Array;
+  conditions: ({ value: number[] } | { flux: number[] })[];
+  composition: true;
+  /** With all defaults spelt out. */
+  solver: LaplaceSolver;
+  /** Of each condition the name of its set, and the length or area of its elements. */
+  names: string[];
+  measures: Float64Array;
+  /** The groups of the document, and `rest` where it is there. A set with expressions has many conditions. */
+  sets: { name: string; known: "value" | "flux"; count: number; measure: number }[];
+  /** Of each element the index of its set; their number where it is in none. */
+  members: Uint32Array;
+  /** The solution where `exact` knows it. */
+  exact: "constant" | "linear" | "cube" | "square" | "shell" | "annulus" | null;
+  /** Whether nothing keeps it from being solved. */
+  ready: boolean;
+  diagnostics: LaplaceDiagnostic[];
+}
+
+/** What keeps a problem from being solved, or a remark; docs/api.md lists the codes. */
+export interface LaplaceDiagnostic {
+  code: string;
+  /** Whether it can be solved all the same. */
+  remark: boolean;
+  /** Path of the field of the document; empty where it is the boundary. */
+  path: string;
+  message: string;
+  /** Index of the first element that it concerns, where that is, and how many there are. */
+  element?: number;
+  place?: number[];
+  count?: number;
+  /** Of an expression: the character at fault, from 0. */
+  character?: number;
 }
 
 /** What is said about a solution. Lists with an entry for each material leave out the last one of a composition, except `values` and `fluxes`. */
@@ -1200,6 +1323,8 @@ export interface PartDiagnostic {
   message: string;
   body?: number;
   feature?: number;
+  /** Index of the piece of the boundary in the blend of the body. */
+  boundary?: number;
   /** Of an expression: the character at fault, from 0. */
   character?: number;
   at?: Point;
@@ -1256,6 +1381,8 @@ export interface Part {
     /** Whether it could be made. */
     made: boolean;
     box: Box | null;
+    /** Number of elements of its blend; null without one. */
+    blend: number | null;
     /** Which take part: those that are not hidden and have no fault. */
     features: { name: string; active: boolean }[];
   }[];
@@ -1389,6 +1516,15 @@ export interface Directrix {
   part(document: PartDocument | string): Part;
   /** Laplace's equation by boundary elements. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
   solveLaplace(input: LaplaceInput): LaplaceSolution;
+  /** The triangles of an STL file, binary or text, of at most 16 MiB. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  readMesh(bytes: Uint8Array | ArrayBuffer): ReadMesh;
+  /** The boundary that a document makes, with the condition of each element. In the module `full` alone; that of `figure` throws with the code `not-in-module`. */
+  boundary(document: LaplaceDocument | string): LaplaceBoundary;
+  /**
+   * Exact fractions at points, coordinate after coordinate, where the solution is known: a number for each material, point after point. Throws with the code
+   * `no-exact` where it is not, and with `outside` for a point where it ends. In the module `full` alone; that of `figure` throws with the code `not-in-module`.
+   */
+  exact(document: LaplaceDocument | string, points: Float64Array | number[]): Float64Array;
   /** The distance from the centre of every voxel to the nearest centre of a feature; Infinity where there is none. Module `full`. */
   distanceTransform(input: TransformInput): Float32Array;
   /** The transform of a plane of at most 16 384 square pixels as it can be watched, without a limit. Module `full`. */
@@ -1397,7 +1533,7 @@ export interface Directrix {
    * With `paint`, its option `coarse` counts; with `greedy` it solves what `steps` and `sets` ask for; `solid` and `solidFile` are the options of
    * these functions; `hyperpatch` and `part` are questions about documents of these kinds.
    */
-  job(document: DocumentInput | HyperpatchDocument | PartDocument | null, options?: JobOptions): Job;
+  job(document: DocumentInput | HyperpatchDocument | PartDocument | LaplaceDocument | null, options?: JobOptions): Job;
 }
 
 export interface LoadOptions {
@@ -1506,6 +1642,7 @@ export type ErrorCode =
   | "self-intersection"
   | "contact"
   | "no-solid"
+  | "no-exact"
   | "mesh"
   | "outside"
   | "not-in-module"

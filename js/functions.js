@@ -15,6 +15,7 @@ export const FUNCTIONS = /** @type {const} */ ([
   "span",
   "explain",
   "readShapes",
+  "readMesh",
   "fitCurve",
   "morphPaths",
   "amounts",
@@ -27,4 +28,6 @@ export const FUNCTIONS = /** @type {const} */ ([
   "transformSteps",
   "part",
   "solveLaplace",
+  "boundary",
+  "exact",
 ]);

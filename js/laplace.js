@@ -201,6 +201,19 @@ export function asking(solution, question, { first, options }, ask) {
   return { step: (budget) => ask(() => work.step(budget)), answer: () => ask(() => work.result()) };
 }
 
+/**
+ * The boundary of a document, or with points the exact fractions there.
+ *
+ * @param {Engine} engine
+ * @param {string} text of the document
+ * @param {unknown} points `undefined` for the boundary
+ * @returns {Work}
+ */
+export function askingBoundary(engine, text, points) {
+  const asked = engine.boundary(text, points === undefined ? undefined : numbers(points, "points"));
+  return { step: (budget) => engine.answerBoundary(asked, budget), answer: () => asked.result() };
+}
+
 /** Solutions that a worker keeps for the questions that come; the oldest goes first. */
 const MOST_KEPT = 4;
 

@@ -14,6 +14,7 @@ import { counted, list } from "./sentence.js";
 export function describePart({ bodies, diagnostics }, { materials, amounts, rules = [] }) {
   const made = bodies.filter(({ made }) => made);
   const features = made.flatMap((body) => body.features.filter(({ active }) => active)).length;
+  const blends = made.filter(({ blend }) => blend !== null && blend !== undefined).length;
   const skipped = diagnostics.filter((diagnostic) => diagnostic.skipped).length;
   if (made.length === 0) return skipped > 0 ? `No body that can be made, ${skipped} left out` : "No body yet";
   const share = (/** @type {number} */ k) => (amounts.area > 0 ? (100 * amounts.amounts[k]) / amounts.area : 0);
@@ -22,6 +23,7 @@ export function describePart({ bodies, diagnostics }, { materials, amounts, rule
   return [
     counted(made.length, "body", "bodies"),
     counted(features, "feature", "features"),
+    blends > 0 && counted(blends, "blend", "blends"),
     skipped > 0 && `${skipped} left out`,
     list(held),
     rules.length > 0 && (broken.length === 0 ? "design rules kept" : `broken: ${list(broken.map(({ name }) => name))}`),

@@ -6,7 +6,7 @@ import { toText } from "./text.js";
 const BUDGET = 12;
 
 /** Functions that do not ask for the solution of a document. */
-const UNSOLVED = new Set(["defaults", "span", "fit", "insertPoint", "readShapes", "fitCurve", "transformSteps"]);
+const UNSOLVED = new Set(["defaults", "span", "fit", "insertPoint", "readShapes", "readMesh", "fitCurve", "transformSteps"]);
 
 /** Functions that ask for the greedy growth, whatever the method of the document. */
 const GREEDY = new Set(["steps", "sets"]);
@@ -61,6 +61,8 @@ function goal(name, options) {
   if (name === "solidFile") return { solidFile: options };
   if (name === "hyperpatch") return { hyperpatch: options };
   if (name === "part") return { part: options };
+  if (name === "boundary") return { boundary: {} };
+  if (name === "exact") return { boundary: { points: options ?? null } };
   return name === "match" ? options : { greedy: GREEDY.has(name) };
 }
 

@@ -238,6 +238,78 @@ const coating = part(
   ],
 );
 
+/** A plate with two pipes and a foot, insulated elsewhere: what heat would do between them, material does. */
+const heatPlate = part(
+  "Plate between two pipes",
+  [{ name: "copper", color: "#d55e00" }, { name: "steel", color: "#0072b2" }, { name: "ceramic", color: "#f0e442" }],
+  [
+    box("plate", 0, 0, 120, 70),
+    { name: "copper pipe", kind: "circle", center: [34, 42], radius: 11 },
+    { name: "steel pipe", kind: "circle", center: [88, 46], radius: 8 },
+    { name: "foot", kind: "segment", from: [25, 0], to: [95, 0] },
+  ],
+  [
+    {
+      name: "plate",
+      outline: "plate",
+      holes: ["copper pipe", "steel pipe"],
+      blend: {
+        kind: "laplace",
+        boundaries: [
+          { on: "plate" },
+          { on: "copper pipe", value: [1, 0, 0] },
+          { on: "steel pipe", value: [0, 1, 0] },
+          { on: "foot", value: [0, 0, 1] },
+        ],
+      },
+    },
+  ],
+);
+
+/** A material fillet between adjacent components, as that of Fig. 23: what lies between two bodies takes its boundary from both. */
+const fillet = part(
+  "Material fillet between shaft and hub",
+  [{ name: "steel", color: "#0072b2" }, { name: "bronze", color: "#d55e00" }, { name: "aluminium", color: "#f0e442" }],
+  [
+    box("hub", -60, -42, 120, 84),
+    {
+      name: "seam",
+      kind: "curve",
+      degree: 3,
+      form: "periodic",
+      points: Array.from({ length: 12 }, (_, k) => {
+        const [angle, radius] = [(k * Math.PI) / 6, k % 2 === 0 ? 37 : 29];
+        return [round(radius * Math.cos(angle)), round(radius * Math.sin(angle))];
+      }),
+    },
+    { name: "shaft", kind: "circle", center: [0, 0], radius: 15 },
+    { name: "left side", kind: "segment", from: [-60, -42], to: [-60, 42] },
+  ],
+  [
+    {
+      name: "hub",
+      outline: "hub",
+      holes: ["seam"],
+      default: [0, 0, 1],
+      features: [{ name: "from the left", reference: "left side", to: 120, start: [0, 1, 0] }],
+    },
+    {
+      name: "fillet",
+      outline: "seam",
+      holes: ["shaft"],
+      default: [0, 0, 1],
+      blend: {
+        kind: "laplace",
+        boundaries: [
+          { on: "seam", from: { body: "hub" } },
+          { on: "shaft", from: { body: "shaft" } },
+        ],
+      },
+    },
+    { name: "shaft", outline: "shaft", default: [1, 0, 0] },
+  ],
+);
+
 /** JSON with lists of numbers, and small objects, on a line each. @param {object} document */
 function textOf(document) {
   const short = (/** @type {unknown} */ value) => JSON.stringify(value).replace(/([,:])(?=\S)/g, "$1 ");
@@ -255,7 +327,7 @@ function textOf(document) {
   return `${written(document, "")}\n`;
 }
 
-const presets = { rectangle, base, references, lens, scaffold, tool, coating };
+const presets = { rectangle, base, references, lens, scaffold, tool, coating, "heat-plate": heatPlate, fillet };
 const folder = new URL("../www/presets/part/", import.meta.url);
 await mkdir(folder, { recursive: true });
 for (const [name, document] of Object.entries(presets)) await writeFile(new URL(`${name}.json`, folder), textOf(document));

@@ -23,8 +23,8 @@ const sum = (numbers) => numbers.reduce((total, each) => total + each, 0);
 /** @param {string} file of the built page */
 const gzippedFile = async (file) => gzipped(await readFile(join(dist, file)));
 
-/** What a figure of curves never asks for: the other module, what shows bodies and parts, and the page for iframes. */
-const others = /full|embed|body|part|sentence|no-matching/;
+/** What a figure of curves never asks for: the other module, what shows bodies, parts and boundary value problems, and the page for iframes. */
+const others = /full|embed|body|part|problem|sentence|no-matching/;
 
 /**
  * What a figure of curves on somebody's page may transfer, its preset included, whichever way it runs.

@@ -5,7 +5,7 @@ const docs = new URL("../", import.meta.url);
 
 /** Pages by the topic they belong to, as far as they are there; one that is not listed stands at the end of the last topic. */
 const topics = [
-  { text: "Guide", pages: ["index", "what-it-is", "first-steps", "five-pictures", "hyperpatches", "parts"] },
+  { text: "Guide", pages: ["index", "what-it-is", "first-steps", "five-pictures", "hyperpatches", "parts", "laboratory"] },
   { text: "Use", pages: ["page", "embedding", "api", "format", "lessons"] },
   { text: "Background", pages: ["architecture", "reference-curves", "benchmarks"] },
 ];

@@ -5,6 +5,7 @@
  * @import { BodyScene } from "./body/body-scene.js"
  * @import { Kind } from "./kind.js"
  * @import { PartScene } from "./part/part-scene.js"
+ * @import { ProblemScene } from "./problem/problem-scene.js"
  */
 import { DirectrixError } from "../errors.js";
 import { attribute, write } from "./dom.js";
@@ -60,7 +61,7 @@ export class DirectrixFigure extends Base {
   /** What is shown: curves, a body or a part. @type {Scene} */
   #scene;
   #curves;
-  /** What shows another kind than curves. @type {BodyScene | PartScene | null} */
+  /** What shows another kind than curves. @type {BodyScene | PartScene | ProblemScene | null} */
   #other = null;
   /** @type {Kind} */
   #kind = "curves";
@@ -360,6 +361,7 @@ export class DirectrixFigure extends Base {
     if (kind === "curves") return null;
     const acts = { say: (/** @type {string} */ text) => this.#say(text), rested: () => this.#paper.renew() };
     if (kind === "part") return new (await import("./part/part-scene.js")).PartScene(this.#host, acts);
+    if (kind === "laplace") return new (await import("./problem/problem-scene.js")).ProblemScene(this.#host, acts);
     return new (await import("./body/body-scene.js")).BodyScene(this.#host, acts);
   }
 

@@ -7,7 +7,7 @@
  * @typedef {object} Question What a fact is asked about.
  * @property {Directrix} dx
  * @property {any} document of the figure, with its changes
- * @property {"figure" | "steps" | "body" | "part" | "grid"} view
+ * @property {"figure" | "steps" | "body" | "part" | "grid" | "laplace"} view
  *
  * @typedef {object} FactKind
  * @property {number} arguments numbers behind its name
@@ -16,6 +16,7 @@
  */
 import { pieces } from "../../www/src/lessons/certificate.js";
 import { errorsOf, marksOf, measured } from "../../www/src/lessons/grid-known.js";
+import { circleOf, farthest, inputOf, probes, summed, withSteps } from "../../www/src/lessons/laplace-known.js";
 import { COURSES, distanceOf, placesOf, RULES, sampled, voxels, withFeature, withRule } from "../../www/src/lessons/part-known.js";
 
 /** What the figure shows: of the greedy growth where it shows that. @param {Question} question */
@@ -60,6 +61,9 @@ function fraction({ dx, document }, material, s) {
   if (!all.every((each) => Math.abs(each - first) < 1e-6)) throw new RangeError(`the fraction of material ${material} differs along s = ${s}`);
   return first;
 }
+
+/** Fractions at points of a boundary value problem. @param {Question} question @param {number[]} points */
+const solvedAt = ({ dx, document }, points) => dx.solveLaplace(inputOf(dx.boundary(document))).at(points).values;
 
 /**
  * The fraction of a material (from 1) at a place, with one of both blends.
@@ -342,6 +346,25 @@ export const FACTS = {
   "worst-at-centers": { arguments: 1, meaning: "largest error of digital distances of centres in edges, with so many pixels along a side", of: (question, pixels) => worstError(question, pixels, false).worst },
   "worst-anywhere": { arguments: 1, meaning: "that of 25 places of each pixel", of: (question, pixels) => worstError(question, pixels, true).worst },
   "worst-length": { arguments: 1, meaning: "that in the unit of the document", of: (question, pixels) => [worstError(question, pixels, true)].map(({ worst, edge }) => worst * edge)[0] },
+  elements: { arguments: 0, meaning: "elements of a boundary", of: ({ dx, document }) => dx.boundary(document).groups.length },
+  "matrix-numbers": { arguments: 0, meaning: "numbers of the matrix of a boundary", of: ({ dx, document }) => dx.boundary(document).groups.length ** 2 },
+  "solved-at": { arguments: 3, meaning: "fraction of a material (from 1) in the plane at x, y, as solved", of: (question, material, x, y) => solvedAt(question, [x, y])[material - 1] },
+  "exact-at": { arguments: 3, meaning: "that fraction exactly", of: ({ dx, document }, material, x, y) => dx.exact(document, [x, y])[material - 1] },
+  "mean-around": {
+    arguments: 4,
+    meaning: "mean of a fraction on the circle about x, y with a radius",
+    of: (question, material, x, y, radius) => summed(solvedAt(question, circleOf([x, y], radius)), question.document.materials.length, material - 1).mean,
+  },
+  "boundary-error": {
+    arguments: 1,
+    meaning: "largest error at places inside, with so many panels along a side",
+    of({ dx, document }, steps) {
+      const boundary = dx.boundary(withSteps(document, steps));
+      const points = probes(boundary.dimension);
+      const { values } = dx.solveLaplace(inputOf(boundary, { ...boundary.solver, tolerance: 1e-9 })).at(points);
+      return farthest(values, dx.exact(document, points));
+    },
+  },
   candidates: {
     arguments: 1,
     meaning: "size of V ∩ R there",

@@ -10,7 +10,7 @@ import { root } from "./paths.mjs";
 export const lessonFolder = join(root, "www/lessons");
 const presetFolder = join(root, "www/presets");
 /** Folders of presets of other kinds, whose names begin with that of their folder. */
-const KINDS = ["hyperpatch", "part"];
+const KINDS = ["hyperpatch", "part", "laplace"];
 const STYLE = /\/katex\/dist\/katex\.css$/;
 const LESSON = /\/www\/lessons\/([^/?]+)\.md(\?head)?$/;
 /** Fonts of what lessons set; a browser fetches those that a formula on the page uses. */

@@ -23,6 +23,7 @@ export const TERMS = {
   body: ["coefficients", "coefficient", "corners", "inner", "net", "edges", "point", "through", "witness", "moving"],
   part: ["features", "feature", "place", "section"],
   grid: ["features", "pass", "wide"],
+  laplace: ["boundary", "middles", "panel", "place", "circle"],
   steps: ["first", "second", "accepted", "visible", "valid", "candidates", "winner", "redundant", "bare", "moved"],
 };
 

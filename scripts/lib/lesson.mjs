@@ -7,7 +7,7 @@
  * @typedef {object} Figure
  * @property {string} document name of a preset, or of a document beside the lessons
  * @property {[string, unknown][]} changes of the document: path and value
- * @property {"figure" | "steps" | "body" | "part" | "grid"} view
+ * @property {"figure" | "steps" | "body" | "part" | "grid" | "laplace"} view
  * @property {string[] | null} layers of the view `figure`; those of the document when null
  * @property {number | null} s place of the current in-between curve
  * @property {Moment | null} step of the view `steps`
@@ -21,8 +21,8 @@
  * @property {number | null} twist of the view `body`: degrees from bottom to top, to be changed
  * @property {"reflect" | "flat" | "natural" | null} rule of the view `body`: for the material of a row of four cells, to be changed
  * @property {number[] | null} shares of the second material before the middle joint of that row and at it
- * @property {typeof READINGS[keyof typeof READINGS][number] | null} reading of the views `body`, `part` and `grid`: what stands below it
- * @property {[number, number] | null} place of the view `part`: x and y of the place that is read
+ * @property {typeof READINGS[keyof typeof READINGS][number] | null} reading of the views `body`, `part`, `grid` and `laplace`: what stands below it
+ * @property {[number, number] | null} place of the views `part` and `laplace`: x and y of the place that is read
  * @property {[number, number, number, number] | null} line of the view `part`: both ends of the line along which compositions are shown
  * @property {[number, number]} feature of the view `part`: number of the body and of its feature that can be changed
  * @property {[number, number] | null} limit of the view `part`: least and greatest value of the limit of that feature, which a slider moves
@@ -30,6 +30,8 @@
  * @property {"repaired" | "depth" | "printed" | null} overlap of the view `part`: the rule of all bodies, which can then be chosen
  * @property {number} pixels of the view `grid`: along its longer side
  * @property {number | null} at of the view `grid`: the pass that is shown, counted in rows and then in columns
+ * @property {number | null} circle of the view `laplace`: radius of a circle round the place, to be changed
+ * @property {[number, number] | null} panels of the view `laplace`: fewest and most panels along a side, which a slider changes
  * @property {"full" | "minimal" | "none"} controls
  * @property {string} caption HTML
  * @property {string} alt what the picture shows, in plain words
@@ -65,32 +67,38 @@ import { escaped, mathematics, prose } from "./lesson-text.mjs";
 const LESSON_FIELDS = ["group", "order", "summary"];
 /** Fields of figures of the view `body`. */
 const BODY_FIELDS = ["cell", "without", "net", "point", "coefficient", "reach", "by", "twist", "rule", "shares", "reading"];
-/** Fields of figures of the views `part` and `grid`. */
+/** Fields of figures of the views `part`, `grid` and `laplace`. */
 const PART_FIELDS = ["place", "line", "feature", "limit", "courses", "overlap"];
 const GRID_FIELDS = ["pixels", "at"];
-const VIEW_FIELDS = new Set([...BODY_FIELDS, ...PART_FIELDS, ...GRID_FIELDS]);
+const LAPLACE_FIELDS = ["place", "circle", "panels"];
+const VIEW_FIELDS = new Set([...BODY_FIELDS, ...PART_FIELDS, ...GRID_FIELDS, ...LAPLACE_FIELDS]);
 const FIGURE_FIELDS = ["figure", "view", "layers", "s", "step", ...VIEW_FIELDS, "controls", "set", "caption", "alt"];
+/** The views that a field belongs to. @param {string} name */
+function viewsOf(name) {
+  const all = { body: BODY_FIELDS, part: PART_FIELDS, grid: GRID_FIELDS, laplace: LAPLACE_FIELDS };
+  return Object.entries(all).flatMap(([view, fields]) => (fields.includes(name) ? [view] : []));
+}
 /** What can stand below figures of a view. */
 const READINGS = /** @type {const} */ ({
   body: ["weights", "material", "jacobian", "certificate", "cone", "meeting", "joints", "gap", "row", "amounts"],
   part: ["along", "rules"],
   grid: ["envelope", "scan", "error"],
+  laplace: ["mean", "extremes", "fractions", "influence", "matrix", "error", "residuals"],
 });
 /** Of the views that show documents of another kind than curves: how names of these begin. */
-const FOLDERS = /** @type {const} */ ({ body: "hyperpatch-", part: "part-", grid: "part-" });
+const FOLDERS = /** @type {const} */ ({ body: "hyperpatch-", part: "part-", grid: "part-", laplace: "laplace-" });
 const LAYERS = [
   ...["material", "unitCells", "inBetweens", "rulingLines", "samples", "unconnected", "controlPoints", "normals", "grid", "value"],
   ...["isoComposition", "difference"],
 ];
-/** Fields that belong to figures of one view, with that view. */
+/** Fields that belong to figures of some views, with these. @type {[string, string[]][]} */
 const OWN_FIELDS = [
-  ["layers", "figure"],
-  ["s", "figure"],
-  ["step", "steps"],
-  ...BODY_FIELDS.filter((name) => name !== "reading").map((name) => [name, "body"]),
-  ...PART_FIELDS.map((name) => [name, "part"]),
-  ...GRID_FIELDS.map((name) => [name, "grid"]),
+  ["layers", ["figure"]],
+  ["s", ["figure"]],
+  ["step", ["steps"]],
+  ...[...VIEW_FIELDS].filter((name) => name !== "reading").map((name) => /** @type {[string, string[]]} */ ([name, viewsOf(name)])),
 ];
+
 /** Paths of a document that `set` may change. */
 const PATH = /^(sampling|matching|blend|curves\.[01])\.[a-zA-Z]+$/;
 
@@ -269,10 +277,10 @@ function readFigure(fields, base, documents, facts, refuse) {
   };
   const document = required("figure");
   if (!documents.includes(document.value)) refuse(document.at, "figure", `there is no document "${document.value}"; there are: ${documents.join(", ")}`);
-  const view = oneOf("view", /** @type {const} */ (["figure", "steps", "body", "part", "grid"]), "figure");
+  const view = oneOf("view", /** @type {const} */ (["figure", "steps", "body", "part", "grid", "laplace"]), "figure");
   for (const [name, needed] of OWN_FIELDS) {
     const given = of(name);
-    if (given && view !== needed) refuse(given.at, name, `belongs to figures of the view ${needed}`);
+    if (given && !needed.includes(view)) refuse(given.at, name, `belongs to figures of the view ${needed.join(" or ")}`);
   }
   const folder = view === "figure" || view === "steps" ? null : FOLDERS[view];
   if (folder !== null) {
@@ -333,6 +341,8 @@ function readFigure(fields, base, documents, facts, refuse) {
     overlap: oneOf("overlap", /** @type {const} */ (["repaired", "depth", "printed"]), null),
     pixels: numbers("pixels", 1, (value) => Number.isInteger(value) && value >= 4 && value <= 64, "a whole number from 4 to 64")?.[0] ?? 16,
     at: numbers("at", 1, (value) => Number.isInteger(value) && value >= 0, "a number of rows, and then of columns")?.[0] ?? null,
+    circle: numbers("circle", 1, (value) => value > 0, "a radius above 0")?.[0] ?? null,
+    panels: /** @type {[number, number] | null} */ (numbers("panels", 2, (value) => Number.isInteger(value) && value > 0, "fewest and most panels along a side, whole numbers with a blank between them")),
     controls: oneOf("controls", /** @type {const} */ (["full", "minimal", "none"]), "minimal"),
     caption: told.html,
     alt: escaped(alt) === alt ? alt : refuse(of("alt")?.at ?? base, "alt", "is plain text, without < > & and quotation marks"),

@@ -76,7 +76,8 @@ impl LaplaceInput {
     }
 }
 
-fn solver(node: &Node<'_>) -> Result<LaplaceOptions, DocumentError> {
+/// How the equations are solved.
+pub(super) fn solver(node: &Node<'_>) -> Result<LaplaceOptions, DocumentError> {
     node.only(&[
         "method",
         "preconditioner",

@@ -22,6 +22,8 @@ mod insert_point;
 mod iso_options;
 mod json;
 #[cfg(feature = "laplace")]
+mod laplace;
+#[cfg(feature = "laplace")]
 mod laplace_options;
 mod memory;
 mod model;
@@ -73,16 +75,23 @@ pub use insert_point::insert_point;
 pub use iso_options::IsoOptions;
 pub use json::Json;
 #[cfg(feature = "laplace")]
+pub use laplace::{
+    BoundaryDiagnostic, BoundaryJob, BoundaryMemory, BoundaryModel, BoundaryProblem, ConditionSpec, Datum,
+    Exact, ExactJob, GroupSpec, LaplaceDocument, MOST_GROUPS, SectionSpec, Selection, SetRow,
+    SharedCondition, SolverSpec, read_laplace,
+};
+#[cfg(feature = "laplace")]
 pub use laplace_options::{LaplaceInput, LaplaceLists, read_frame};
 pub use memory::Memory;
 pub use model::Model;
 pub(crate) use node::Node;
 #[cfg(feature = "part")]
 pub use part::{
-    Along, BodySpec, ComposingRule, CourseKey, CourseSpec, FeatureSpec, Geometry, KnownPart, LeafRow,
-    MOST_BODIES, MOST_PART_FEATURES, MOST_PART_POINTS, MOST_PART_RULES, MOST_SHAPES, PartAmounts, PartAnswer,
-    PartAsk, PartDiagnostic, PartDocument, PartJob, PartKind, PartMemory, PartModel, PartRuleSpec,
-    ReferenceSpec, RuleQuantity, ShapeSpec, read_part,
+    Along, BodySpec, BoundarySpec, ComposingRule, CourseKey, CourseSpec, FeatureSpec, Geometry, KnownPart,
+    LeafRow, MOST_BLENDS, MOST_BODIES, MOST_BOUNDARIES, MOST_PART_FEATURES, MOST_PART_POINTS,
+    MOST_PART_RULES, MOST_SHAPES, PartAmounts, PartAnswer, PartAsk, PartBlendKind, PartBlendSpec,
+    PartDiagnostic, PartDocument, PartJob, PartKind, PartMemory, PartModel, PartRuleSpec, ReferenceSpec,
+    RuleQuantity, ShapeSpec, SourceSpec, read_part,
 };
 #[cfg(feature = "paths")]
 pub use paths::{PathOptions, paths};

@@ -19,19 +19,26 @@ const VERSION: f64 = 1.0;
 /// [`Model::new`](super::Model::new).
 pub fn read(document: &Json) -> Result<CurvesDocument, DocumentError> {
     let root = Node::root(document, "");
-    check_version(&root)?;
+    check_kind(&root, "curves")?;
+    curves_document(&root)
+}
+
+/// The kinds of documents.
+const KINDS: [&str; 4] = ["curves", "part", "hyperpatch", "laplace"];
+
+/// Refuses a document of another version of the format, and one of another kind than that named.
+pub(super) fn check_kind(root: &Node<'_>, expected: &str) -> Result<(), DocumentError> {
+    check_version(root)?;
     let kind = root.need("kind")?;
-    let kinds = ["curves", "part", "hyperpatch"];
-    match kind.choice(&kinds)? {
-        0 => curves_document(&root),
-        other => {
-            Err(kind.error(Code::Kind, format!("`{}` was found; expected the kind `curves`", kinds[other])))
-        }
+    let found = KINDS[kind.choice(&KINDS)?];
+    if found == expected {
+        return Ok(());
     }
+    Err(kind.error(Code::Kind, format!("`{found}` was found; expected the kind `{expected}`")))
 }
 
 /// Refuses a document of another version of the format.
-pub(super) fn check_version(root: &Node<'_>) -> Result<(), DocumentError> {
+fn check_version(root: &Node<'_>) -> Result<(), DocumentError> {
     let version = root.need("directrix")?;
     let number = version.number()?;
     if number == VERSION {

@@ -26,8 +26,11 @@ pub struct Overlap {
     rule: Rule,
     size: f64,
     default: Composition,
-    profiles: Vec<(DistanceProfile, [bool; 2])>,
+    profiles: Vec<Entry>,
 }
+
+/// A profile, at which limits it meets the default, and at which it consists of nothing but it.
+type Entry = (DistanceProfile, [bool; 2], [bool; 2]);
 
 impl Overlap {
     /// Profiles in the order of their queue (3.2.2), at most 32; `size` is the diagonal of the body's box, above 0. Profiles that do not meet the default where they
@@ -44,8 +47,8 @@ impl Overlap {
             "numbers of materials differ"
         );
         let profiles = profiles.into_iter().map(|profile| {
-            let meets = profile.meets(&default);
-            (profile, meets)
+            let (meets, ends) = (profile.meets(&default), profile.ends_in_default(&default));
+            (profile, meets, ends)
         });
         Self { rule, size, profiles: profiles.collect(), default }
     }
@@ -58,7 +61,7 @@ impl Overlap {
 
     /// The profiles, in the order of their queue.
     pub fn profiles(&self) -> impl ExactSizeIterator<Item = &DistanceProfile> + DoubleEndedIterator {
-        self.profiles.iter().map(|(profile, _)| profile)
+        self.profiles.iter().map(|(profile, ..)| profile)
     }
 
     /// Writes the fractions of a point from its distances to the features of the profiles, and returns the leaf of the subdivision tree (Fig. 7) in which it lies: bit k
@@ -67,8 +70,32 @@ impl Overlap {
     /// # Panics
     /// When there are not as many distances as profiles, or not as many fractions as materials.
     pub fn fractions(&self, distances: &[f64], fractions: &mut [f64]) -> u32 {
+        let tapered = |(profile, meets, _): &Entry, distance: f64, to: &mut [f64]| {
+            profile.tapered(distance, &self.default, *meets, to);
+        };
+        self.compose(self.default.fractions(), &tapered, distances, fractions)
+    }
+
+    /// The same over a composition of the point that stands in for the default, in the mixes of the profiles as well.
+    ///
+    /// # Panics
+    /// As [`fractions`](Self::fractions).
+    pub fn over(&self, base: &[f64], distances: &[f64], fractions: &mut [f64]) -> u32 {
+        let over = |(profile, _, ends): &Entry, distance: f64, to: &mut [f64]| {
+            profile.over(distance, &self.default, *ends, base, to);
+        };
+        self.compose(base, &over, distances, fractions)
+    }
+
+    fn compose(
+        &self,
+        base: &[f64],
+        of: &dyn Fn(&Entry, f64, &mut [f64]),
+        distances: &[f64],
+        fractions: &mut [f64],
+    ) -> u32 {
         assert_eq!(distances.len(), self.profiles.len(), "one distance for each profile");
-        let materials = self.default.fractions().len();
+        let materials = base.len();
         let mut own = [0.0; 16];
         let mut long = Vec::new();
         let own = if materials <= own.len() {
@@ -77,30 +104,27 @@ impl Overlap {
             long.resize(materials, 0.0);
             long.as_mut_slice()
         };
-        let holds = |(k, (profile, _)): (usize, &(DistanceProfile, [bool; 2]))| {
-            u32::from(profile.holds(distances[k])) << k
-        };
+        let holds = |(k, (profile, ..)): (usize, &Entry)| u32::from(profile.holds(distances[k])) << k;
         let leaf = self.profiles.iter().enumerate().map(holds).fold(0, |leaf, bit| leaf | bit);
         if leaf == 0 {
-            fractions.copy_from_slice(self.default.fractions());
+            fractions.copy_from_slice(base);
             return 0;
         }
         if leaf.is_power_of_two() {
             // One profile alone is its function: its weight cancels.
             let k = leaf.trailing_zeros() as usize;
-            let (profile, meets) = &self.profiles[k];
-            profile.tapered(distances[k], &self.default, *meets, fractions);
+            of(&self.profiles[k], distances[k], fractions);
             return leaf;
         }
         let mut sum = 0.0;
         fractions.fill(0.0);
-        for (k, ((profile, meets), &distance)) in self.profiles.iter().zip(distances).enumerate() {
+        for (k, (entry, &distance)) in self.profiles.iter().zip(distances).enumerate() {
             if (leaf >> k) & 1 == 0 {
                 continue;
             }
-            let weight = self.weight(profile, distance);
+            let weight = self.weight(&entry.0, distance);
             if weight > 0.0 {
-                profile.tapered(distance, &self.default, *meets, own);
+                of(entry, distance, own);
                 fractions.iter_mut().zip(own.iter()).for_each(|(all, one)| *all += weight * one);
                 sum += weight;
             }
@@ -108,7 +132,7 @@ impl Overlap {
         if sum > 0.0 {
             fractions.iter_mut().for_each(|fraction| *fraction /= sum);
         } else {
-            fractions.copy_from_slice(self.default.fractions());
+            fractions.copy_from_slice(base);
         }
         leaf
     }
@@ -211,6 +235,42 @@ mod tests {
         assert!((on_second[1] - 1.0).abs() < 1e-6, "{on_second:?}");
         let both = mixed(&overlap, &[0.0, 0.0]);
         assert!((both[0] - 0.5).abs() < 1e-12 && (both[1] - 0.5).abs() < 1e-12, "{both:?}");
+    }
+
+    /// What stands in for the default is what there is where no profile acts, where bands end, and in mixes that are the default.
+    #[test]
+    fn over_another_composition_profiles_are_continuous_and_sum_to_one() {
+        let base = [0.3, 0.2, 0.5];
+        let keys = vec![(0.0, Composition::pure(1, 3)), (0.6, Composition::pure(2, 3))];
+        let periodic = profile(0, 1.0, 4.0, Course::Periodic(3));
+        let courses = [profile(0, 0.0, 4.0, Course::Smoothstep), constant(0, 4.0), periodic];
+        let piecewise = profile(0, 0.0, 4.0, Course::Piecewise(keys));
+        for profile in courses.into_iter().chain([piecewise]) {
+            let overlap = of(Rule::Repaired, vec![profile]);
+            let mut last = base;
+            for n in (0..=5000).rev() {
+                let mut found = [0.0; 3];
+                overlap.over(&base, &[f64::from(n) * 1e-3], &mut found);
+                assert!((found.iter().sum::<f64>() - 1.0).abs() < 1e-12 && found.iter().all(|f| *f >= 0.0));
+                let step = found.iter().zip(last).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(step < 6e-3, "{n}: {last:?} to {found:?}");
+                last = found;
+            }
+        }
+        // Half way the profile is half of its own and half of what stands in.
+        let overlap = of(Rule::Repaired, vec![profile(0, 0.0, 4.0, Course::Linear)]);
+        let mut found = [0.0; 3];
+        overlap.over(&base, &[2.0], &mut found);
+        assert!(found.iter().zip([0.65, 0.1, 0.25]).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+        // Over the default itself nothing changes.
+        let profiles = || vec![constant(0, 3.0), profile(1, 1.0, 4.0, Course::Linear)];
+        let overlap = of(Rule::Depth, profiles());
+        let mut same = [0.0; 3];
+        for n in 0..50 {
+            let distances = [f64::from(n) * 0.1, f64::from(n % 7)];
+            overlap.over(&[0.0, 0.0, 1.0], &distances, &mut same);
+            assert!(mixed(&overlap, &distances).iter().zip(same).all(|(a, b)| (a - b).abs() < 1e-14));
+        }
     }
 
     #[test]

@@ -211,6 +211,15 @@ impl DistanceProfile {
     /// # Panics
     /// When `fractions` does not have as many numbers as there are materials.
     pub fn fractions(&self, distance: f64, fractions: &mut [f64]) {
+        if let Course::Piecewise(keys) = &self.course {
+            let t = (distance.clamp(self.from, self.to) - self.from) / self.width();
+            return piecewise(keys, t, fractions);
+        }
+        blend(self.start.fractions(), self.end.fractions(), self.share(distance), fractions);
+    }
+
+    /// Share of `end` at a distance; of a piecewise course, whose keys alone have a say, 0.
+    fn share(&self, distance: f64) -> f64 {
         let distance = distance.clamp(self.from, self.to);
         let t = (distance - self.from) / self.width();
         let share = match &self.course {
@@ -220,11 +229,10 @@ impl DistanceProfile {
             Course::Smoothstep => smoothstep(t),
             Course::Periodic(waves) => 0.5 - 0.5 * ((2 * waves - 1) as f64 * std::f64::consts::PI * t).cos(),
             Course::Expression(expression) => expression.value(&[distance, t]),
-            Course::Piecewise(keys) => return piecewise(keys, t, fractions),
+            Course::Piecewise(_) => 0.0,
         };
         // An expression may lack a value between the places at which it was looked at.
-        let share = if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) };
-        blend(self.start.fractions(), self.end.fractions(), share, fractions);
+        if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) }
     }
 
     /// Whether the profile has the default composition where it ends: at `to`, and at `from` unless that is 0. Then it is continuous with what lies beyond (the
@@ -245,13 +253,68 @@ impl DistanceProfile {
     /// As [`fractions`](Self::fractions).
     pub fn tapered(&self, distance: f64, default: &Composition, meets: [bool; 2], fractions: &mut [f64]) {
         self.fractions(distance, fractions);
+        self.lead(distance, default.fractions(), meets, fractions);
+    }
+
+    /// Share of the default in the fractions at a distance, by those mixes of the profile that are the default: 0 to 1.
+    #[must_use]
+    pub fn default_share(&self, distance: f64, default: &Composition) -> f64 {
+        let t = (distance.clamp(self.from, self.to) - self.from) / self.width();
+        let is_default = |mix: &Composition| {
+            mix.fractions().iter().zip(default.fractions()).all(|(a, b)| (a - b).abs() <= SAME)
+        };
+        let of = |mix: &Composition| f64::from(u8::from(is_default(mix)));
+        match (&self.course, self.share(distance)) {
+            (Course::Piecewise(keys), _) => {
+                let next = keys.partition_point(|(at, _)| *at <= t);
+                let (low, high) = (&keys[next.saturating_sub(1)], &keys[next.min(keys.len() - 1)]);
+                let share = if high.0 > low.0 { (t - low.0) / (high.0 - low.0) } else { 0.0 };
+                of(&low.1) + share * (of(&high.1) - of(&low.1))
+            }
+            (_, share) => of(&self.start) + share * (of(&self.end) - of(&self.start)),
+        }
+    }
+
+    /// Whether the profile consists of nothing but the default where it ends, as [`meets`](Self::meets) says it of fractions.
+    #[must_use]
+    pub fn ends_in_default(&self, default: &Composition) -> [bool; 2] {
+        let is_met = |distance: f64| self.default_share(distance, default) >= 1.0 - SAME;
+        [self.from == 0.0 || is_met(self.from), is_met(self.to)]
+    }
+
+    /// Writes the fractions at a distance where another composition stands in for the default: in the mixes that are the default, and at the limits
+    /// where the profile does not [end in it](Self::ends_in_default), to which it is led over a tenth of the band.
+    ///
+    /// # Panics
+    /// As [`fractions`](Self::fractions).
+    pub fn over(
+        &self,
+        distance: f64,
+        default: &Composition,
+        ends: [bool; 2],
+        base: &[f64],
+        fractions: &mut [f64],
+    ) {
+        self.fractions(distance, fractions);
+        let share = self.default_share(distance, default);
+        if share > 0.0 {
+            for ((fraction, default), base) in fractions.iter_mut().zip(default.fractions()).zip(base) {
+                // What is taken away is there, but for rounding.
+                *fraction = (*fraction - share * default).max(0.0) + share * base;
+            }
+        }
+        self.lead(distance, base, ends, fractions);
+    }
+
+    /// Leads fractions to a composition over a tenth of the band at the limits that do not meet it.
+    fn lead(&self, distance: f64, to: &[f64], meets: [bool; 2], fractions: &mut [f64]) {
         let to_limit = [(meets[0], distance - self.from), (meets[1], self.to - distance)];
         let offending = to_limit.into_iter().filter(|(is_met, _)| !is_met).map(|(_, length)| length);
         let nearest = offending.fold(f64::INFINITY, f64::min);
         if nearest.is_finite() {
             let share = smoothstep(nearest / (TAPER * self.width()));
-            for (fraction, default) in fractions.iter_mut().zip(default.fractions()) {
-                *fraction = default + share * (*fraction - default);
+            for (fraction, to) in fractions.iter_mut().zip(to) {
+                *fraction = to + share * (*fraction - to);
             }
         }
     }

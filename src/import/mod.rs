@@ -1,4 +1,4 @@
-//! Shapes from elsewhere: closed outlines in SVG text and in lists of points.
+//! Shapes from elsewhere: closed outlines in SVG text and in lists of points, and triangles in STL files.
 //!
 //! Whatever is read becomes a [`Shape`], a closed polyline with y up, dense enough to be fitted by [`crate::curve::fit`].
 //! What cannot become one is listed with the reason. Text that is none of the kinds is refused with the line
@@ -7,6 +7,7 @@
 mod fit;
 mod outline;
 mod points;
+mod stl;
 mod svg;
 mod svg_path;
 mod svg_transform;
@@ -18,6 +19,7 @@ use glam::DVec2;
 
 pub use fit::{fit_error, read_fit_options};
 pub use points::{from_json, from_lines};
+pub use stl::{LONGEST_STL, MOST_TRIANGLES, ReadMesh, from_stl};
 pub use svg::from_svg;
 
 /// Longest text that is read, in bytes.

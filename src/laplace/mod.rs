@@ -14,6 +14,7 @@ mod cloud;
 mod cluster;
 mod error;
 mod expansion;
+pub mod faces;
 mod gmres;
 mod job;
 mod lanes;

@@ -81,7 +81,9 @@ impl Quads {
 }
 
 fn even(from: f64, to: f64, count: usize) -> Vec<f64> {
-    (0..=count).map(|k| from + (to - from) * k as f64 / count as f64).collect()
+    // Both ends are met exactly, so that an axis is one point.
+    let place = |k: usize| if k == count { to } else { from + (to - from) * k as f64 / count as f64 };
+    (0..=count).map(place).collect()
 }
 
 /// The unit cube with `m` steps along each edge: 12 m^2 triangles.

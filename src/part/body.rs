@@ -1,6 +1,6 @@
 //! Bodies and the part that they make.
 
-use super::{Reference, Shape};
+use super::{Blend, Reference, Shape};
 use crate::field::{Expression, Overlap};
 use crate::geom::Bounds;
 use glam::DVec2;
@@ -138,6 +138,8 @@ pub struct Body {
     pub composing: Composing,
     /// The profiles, in the order of the features.
     pub overlap: Overlap,
+    /// What stands in for the default composition, where it is not constant. Not by Eq. 2 as printed.
+    pub blend: Option<Blend>,
     /// The features of the profiles.
     pub features: Vec<Feature>,
     /// The bit of each feature in a leaf, ascending.
@@ -156,7 +158,14 @@ impl Body {
     pub fn place(&self, point: DVec2) -> Place {
         let distances: Vec<f64> = self.features.iter().map(|feature| feature.distance(point)).collect();
         let mut fractions = vec![0.0; self.overlap.default_composition().fractions().len()];
-        let leaf = self.overlap.fractions(&distances, &mut fractions);
+        let leaf = match &self.blend {
+            None => self.overlap.fractions(&distances, &mut fractions),
+            Some(blend) => {
+                let mut base = fractions.clone();
+                blend.fractions(point, &mut base);
+                self.overlap.over(&base, &distances, &mut fractions)
+            }
+        };
         let fractions = (self.composing == Composing::Overlap).then_some(fractions);
         Place { body: 0, fractions, leaf: self.leaf(leaf), distances }
     }

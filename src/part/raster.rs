@@ -2,11 +2,16 @@
 
 use super::{Body, Composing, Frame, FrameError, Part};
 use crate::field::PrintedJob;
+use crate::laplace::{self, Section, SectionJob, Solution};
 use glam::{DVec2, dvec2};
-use std::ops::Deref;
+use std::ops::{Deref, Range};
+use std::rc::Rc;
 
 /// Pixels along the side of a tile.
 const TILE: usize = 16;
+
+/// Pixels of a band of a blend, about: what is found for it is held besides the raster.
+const BAND: usize = 1 << 18;
 
 /// What a part holds on pixels.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +52,7 @@ impl Tile {
     }
 }
 
-/// The job that evaluates a part on pixels, in steps: rows of bodies first, then compositions in tiles, then bodies by the printed rule.
+/// The job that evaluates a part on pixels, in steps: rows of bodies first, then blends, then compositions in tiles, then bodies by the printed rule.
 #[derive(Debug)]
 pub struct RasterJob<P: Deref<Target = Part>> {
     part: P,
@@ -62,6 +67,10 @@ pub struct RasterJob<P: Deref<Target = Part>> {
 enum Stage {
     /// The row that is next.
     Rows(usize),
+    /// The body whose blend is next, the first row of its next band, and the band that is under way.
+    Blending(usize, usize, Option<Box<SectionJob<Rc<Solution>>>>),
+    /// The body, a band of its blend, the pixel where this begins, and the row of it that is next.
+    Laying(usize, Section, [usize; 2], usize),
     /// The tile that is next, and the body.
     Tiles(usize, usize),
     /// The body that is next, and what is under way.
@@ -78,6 +87,8 @@ struct Workspace {
     parts: Vec<f64>,
     list: Vec<u32>,
     own: Vec<f64>,
+    /// What profiles lie on.
+    base: Vec<f64>,
     fractions: Vec<f64>,
 }
 
@@ -111,7 +122,9 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
                     self.fill_row(row);
                     Stage::Rows(row + 1)
                 }
-                Stage::Rows(_) => Stage::Tiles(0, 0),
+                Stage::Rows(_) => Stage::Blending(0, 0, None),
+                Stage::Blending(body, row, job) => self.blend(body, row, job, may_go_on),
+                Stage::Laying(body, section, start, row) => self.lay(body, section, start, row),
                 Stage::Tiles(tile, body) => self.advance(tile, body),
                 Stage::Printing(body, job) => self.print(body, job, may_go_on),
                 Stage::Done => return true,
@@ -127,7 +140,11 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
     pub fn progress(&self) -> f64 {
         match &self.stage {
             Stage::Rows(row) => 0.1 * *row as f64 / self.raster.frame.size()[1] as f64,
-            Stage::Tiles(tile, _) => 0.1 + 0.7 * *tile as f64 / self.tiles() as f64,
+            Stage::Blending(body, row, _) | Stage::Laying(body, _, [_, row], _) => {
+                let done = *body as f64 + *row as f64 / self.raster.frame.size()[1] as f64;
+                0.1 + 0.3 * done / (self.part.bodies.len() + 1) as f64
+            }
+            Stage::Tiles(tile, _) => 0.4 + 0.4 * *tile as f64 / self.tiles() as f64,
             Stage::Printing(body, job) => {
                 let bodies = self.part.bodies.len().max(1) as f64;
                 0.8 + 0.19 * (*body as f64 + job.as_ref().map_or(0.0, |job| job.progress())) / bodies
@@ -159,6 +176,81 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
                 body.region.row(start.y, start.x, frame.step().x, mark, frame.size()[0]);
             }
         }
+    }
+
+    /// The pixels of the box of a body: columns and rows.
+    fn columns_and_rows(&self, body: &Body) -> [Range<usize>; 2] {
+        let (frame, step) = (self.raster.frame, self.raster.frame.step());
+        let (own, all) = (body.region.bounds(), frame.bounds());
+        let pixel = |along: f64, count: usize| (along.max(0.0) as usize).min(count);
+        let [nx, ny] = frame.size();
+        [
+            pixel((own.min.x - all.min.x) / step.x, nx)..pixel((own.max.x - all.min.x) / step.x + 1.0, nx),
+            pixel((all.max.y - own.max.y) / step.y, ny)..pixel((all.max.y - own.min.y) / step.y + 1.0, ny),
+        ]
+    }
+
+    /// Goes on with the blends of bodies, each on the pixels of its box, in bands of rows.
+    fn blend(
+        &mut self,
+        index: usize,
+        row: usize,
+        job: Option<Box<SectionJob<Rc<Solution>>>>,
+        may_go_on: &mut dyn FnMut() -> bool,
+    ) -> Stage {
+        let Some(body) = self.part.bodies.get(index) else { return Stage::Tiles(0, 0) };
+        let Some((body, blend)) = body.as_ref().and_then(|body| Some((body, body.blend.as_ref()?))) else {
+            return Stage::Blending(index + 1, 0, None);
+        };
+        let [columns, rows] = self.columns_and_rows(body);
+        let start = [columns.start, row.max(rows.start)];
+        if let Some(mut job) = job {
+            return if job.step(may_go_on) {
+                Stage::Laying(index, job.section(), start, 0)
+            } else {
+                Stage::Blending(index, row, Some(job))
+            };
+        }
+        let height = (BAND / columns.len().max(1)).max(TILE).min(rows.end.saturating_sub(start[1]));
+        let step = self.raster.frame.step();
+        let corner = self.raster.frame.center(start[0], start[1]) + dvec2(-0.5, 0.5) * step;
+        let side = |along: f64, up: f64| dvec2(along, up).extend(0.0);
+        let frame = laplace::Frame {
+            origin: corner.extend(0.0),
+            sides: [side(step.x * columns.len() as f64, 0.0), side(0.0, -step.y * height as f64)],
+            size: [columns.len(), height],
+        };
+        // Without pixels left there is no section.
+        match SectionJob::new(Rc::clone(blend.solution()), frame) {
+            Ok(job) => Stage::Blending(index, row, Some(Box::new(job))),
+            Err(_) => Stage::Blending(index + 1, 0, None),
+        }
+    }
+
+    /// Gives the pixels of a body in a row the fractions of its blend, on which its profiles lie later.
+    fn lay(&mut self, index: usize, section: Section, start: [usize; 2], row: usize) -> Stage {
+        let [width, height] = section.size;
+        let blend = self.part.bodies[index].as_ref().and_then(|body| body.blend.as_ref());
+        let (Some(blend), true) = (blend, row < height) else {
+            return Stage::Blending(index, start[1] + height, None);
+        };
+        let fractions = &mut self.work.fractions;
+        for column in 0..width {
+            let at = (start[1] + row) * self.raster.frame.size()[0] + start[0] + column;
+            if usize::from(self.raster.body[at]) != index + 1 {
+                continue;
+            }
+            let values = section.values.iter().map(|list| f64::from(list[row * width + column]));
+            fractions.iter_mut().zip(values).for_each(|(to, from)| *to = from);
+            if fractions[0].is_nan() {
+                blend.nearest(self.raster.frame.center(start[0] + column, start[1] + row), fractions);
+            } else {
+                blend.finish(fractions);
+            }
+            let lists = self.raster.fractions.iter_mut().zip(&*fractions);
+            lists.for_each(|(list, from)| list[at] = *from as f32);
+        }
+        Stage::Laying(index, section, start, row + 1)
     }
 
     fn tiles(&self) -> usize {
@@ -242,6 +334,9 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
                 if self.raster.body[at] != number {
                     continue;
                 }
+                if is_free && body.blend.is_some() {
+                    continue;
+                }
                 if is_free {
                     self.raster
                         .fractions
@@ -255,7 +350,13 @@ impl<P: Deref<Target = Part>> RasterJob<P> {
                 for (k, distance) in work.own.iter_mut().enumerate() {
                     *distance = work.distances[k * pixels + pixel];
                 }
-                let leaf = body.overlap.fractions(&work.own, &mut work.fractions);
+                let leaf = if body.blend.is_some() {
+                    work.base.clear();
+                    work.base.extend(self.raster.fractions.iter().map(|list| f64::from(list[at])));
+                    body.overlap.over(&work.base, &work.own, &mut work.fractions)
+                } else {
+                    body.overlap.fractions(&work.own, &mut work.fractions)
+                };
                 self.raster.leaves[at] = body.leaf(leaf);
                 let fractions = self.raster.fractions.iter_mut().zip(&work.fractions);
                 fractions.for_each(|(to, from)| to[at] = *from as f32);
@@ -336,7 +437,7 @@ mod tests {
         let (shapes, profiles): (Vec<Shape>, Vec<DistanceProfile>) = parts.into_iter().unzip();
         let overlap = Overlap::new(rule, region.bounds().diagonal(), Composition::pure(2, 3), profiles);
         let features = shapes.into_iter().map(|shape| Feature::new(Reference::shape(shape))).collect();
-        Body { region, composing: Composing::Overlap, overlap, features, slots }
+        Body { region, composing: Composing::Overlap, overlap, blend: None, features, slots }
     }
 
     fn part(bodies: Vec<Body>) -> Part {

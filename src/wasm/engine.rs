@@ -25,6 +25,8 @@ pub struct Engine {
     pub(super) bodies: crate::document::BodyMemory,
     #[cfg(feature = "part")]
     pub(super) parts: crate::document::PartMemory,
+    #[cfg(feature = "laplace")]
+    pub(super) boundaries: crate::document::BoundaryMemory,
     /// The document whose harmonic blend is being compared, and whether coarsely.
     #[cfg(feature = "harmonic")]
     comparing: Option<(String, bool, document::Comparing)>,

@@ -1,4 +1,4 @@
-//! Shapes from elsewhere: reading and fitting.
+//! Shapes and meshes from elsewhere: reading and fitting.
 
 use super::engine::Engine;
 use super::error::to_js;
@@ -7,7 +7,7 @@ use super::results::to_value;
 use crate::curve::{Fit, fit};
 use crate::document::DocumentError;
 use crate::import::{
-    Format, Kind, Shape, Shapes, Skipped, fit_error, from_json, from_lines, from_svg, kind_of,
+    Format, Kind, Shape, Shapes, Skipped, fit_error, from_json, from_lines, from_stl, from_svg, kind_of,
     read_fit_options,
 };
 use glam::DVec2;
@@ -53,6 +53,25 @@ impl Engine {
         let result = Object::new();
         Reflect::set(&result, &"shapes".into(), &list(shapes.iter().map(shape))?.into())?;
         Reflect::set(&result, &"skipped".into(), &list(skipped.iter().map(left_out))?.into())?;
+        Ok(result.into())
+    }
+
+    /// The triangles of an STL file.
+    #[wasm_bindgen(js_name = readMesh)]
+    pub fn read_mesh(&self, bytes: &[u8]) -> Result<JsValue, JsValue> {
+        let mesh = from_stl(bytes).map_err(|e| to_js(&e))?;
+        let vertices: Vec<f64> = mesh.vertices.iter().flat_map(|vertex| vertex.to_array()).collect();
+        let triangles = mesh.triangles.as_flattened();
+        let format = if mesh.is_binary { "binary" } else { "text" };
+        let result = Object::new();
+        for (name, value) in [
+            ("vertices", Float64Array::from(vertices.as_slice()).into()),
+            ("triangles", Uint32Array::from(triangles).into()),
+            ("dropped", JsValue::from(mesh.dropped)),
+            ("format", format.into()),
+        ] {
+            Reflect::set(&result, &name.into(), &value)?;
+        }
         Ok(result.into())
     }
 

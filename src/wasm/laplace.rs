@@ -210,7 +210,7 @@ fn columns<'a>(lists: impl Iterator<Item = &'a Vec<f64>>) -> JsValue {
 }
 
 /// An error with the code and the path of what it concerns, and its place.
-fn fault(error: &LaplaceError, dimension: usize) -> JsValue {
+pub(super) fn fault(error: &LaplaceError, dimension: usize) -> JsValue {
     let (code, list) = match error.fault {
         Fault::Vertices => ("range", "vertices"),
         Fault::Elements => ("range", "elements"),

@@ -7,6 +7,8 @@
 mod amounts;
 #[cfg(feature = "hyperpatch")]
 mod answers;
+#[cfg(feature = "laplace")]
+mod boundary;
 #[cfg(feature = "edit")]
 mod edit;
 mod engine;

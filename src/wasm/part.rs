@@ -9,7 +9,7 @@ use crate::document::{
     PartDiagnostic, PartJob, PartMemory, PartModel,
 };
 use crate::geom::Bounds;
-use crate::part::{Frame, PartIsoline, Place, Raster};
+use crate::part::{Blend, Frame, PartIsoline, Place, Raster};
 use js_sys::{Array, Float32Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use std::rc::Rc;
@@ -78,7 +78,7 @@ impl PartAsking {
         let (Some(answer), Some(known)) = (&self.answer, &self.known) else { return Ok(JsValue::UNDEFINED) };
         let model = known.model();
         match answer {
-            PartAnswer::Model => value(&Summary::new(model)),
+            PartAnswer::Model => value(&Summary::new(known)),
             PartAnswer::Defaults => value(model.document()),
             PartAnswer::Raster(found, colors) => raster(found, colors.as_deref()),
             PartAnswer::Place(place) => value(&place.as_ref().map(|place| Probed::new(model, place))),
@@ -108,7 +108,7 @@ fn corners(bounds: Bounds) -> [[f64; 2]; 2] {
 #[derive(Serialize)]
 struct Summary<'a> {
     bodies: Vec<Body<'a>>,
-    diagnostics: &'a [PartDiagnostic],
+    diagnostics: Vec<PartDiagnostic>,
     #[serde(rename = "box")]
     bounds: Option<[[f64; 2]; 2]>,
 }
@@ -121,6 +121,8 @@ struct Body<'a> {
     made: bool,
     #[serde(rename = "box")]
     bounds: Option<[[f64; 2]; 2]>,
+    /// Number of elements of its blend.
+    blend: Option<usize>,
     features: Vec<FeatureRow<'a>>,
 }
 
@@ -132,8 +134,9 @@ struct FeatureRow<'a> {
 }
 
 impl<'a> Summary<'a> {
-    fn new(model: &'a PartModel) -> Self {
-        let bodies = model.document().bodies.iter().zip(&model.part().bodies);
+    fn new(known: &'a KnownPart) -> Self {
+        let (model, part) = (known.model(), known.part());
+        let bodies = model.document().bodies.iter().zip(&part.bodies);
         let body = |(spec, made): (&'a document::BodySpec, &Option<crate::part::Body>)| {
             let slots = made.as_ref().map_or(&[][..], |body| &body.slots);
             let feature = |(k, feature): (usize, &'a document::FeatureSpec)| FeatureRow {
@@ -145,12 +148,13 @@ impl<'a> Summary<'a> {
                 rule: spec.rule,
                 made: made.is_some(),
                 bounds: made.as_ref().map(|body| corners(body.region.bounds())),
+                blend: made.as_ref().and_then(|body| body.blend.as_ref()).map(Blend::elements),
                 features: spec.features.iter().enumerate().map(feature).collect(),
             }
         };
         Self {
             bodies: bodies.map(body).collect(),
-            diagnostics: model.diagnostics(),
+            diagnostics: known.diagnostics(),
             bounds: model.part().bounds().map(corners),
         }
     }

@@ -44,7 +44,7 @@ fn golden_sections() {
         golden::check(&format!("part-{name}"), &golden::Picture { width, height, data }, golden::SAME_CODE);
         count += 1;
     }
-    assert_eq!(count, 7);
+    assert_eq!(count, 9);
 }
 
 /// A document as it is painted and written with the given options.

@@ -11,6 +11,7 @@ import { firstState, graded, moved, oppositeOf, redone, twisted } from "../../ww
 import { jacobianAt, leastAtCorners, weightsAt } from "../../www/src/lessons/cell-sum.js";
 import { jacobianNumbers, pieces } from "../../www/src/lessons/certificate.js";
 import { figureDocument, momentOf } from "../../www/src/lessons/document.js";
+import { frameOf, influence, inputOf, matrixOf, panelsOf, scaledPanels } from "../../www/src/lessons/laplace-known.js";
 import { lengths, phaseAt } from "../../www/src/steps/film.js";
 
 const dx = await load({ module: "full" });
@@ -22,7 +23,7 @@ const sources = new Map(await Promise.all(names.map(async (name) => /** @type {c
 const lessonNamed = (name) => readLesson(name, sources.get(name) ?? "", documents);
 
 test("there are lessons, each with a place of its own in the list", () => {
-  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error", "harmonic-blend"]) assert.ok(names.includes(name), name);
+  for (const name of ["heterogeneous-object", "why-matching", "greedy", "one-hyperpatch", "cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error", "heat", "boundary-elements", "why-precondition", "harmonic-blend"]) assert.ok(names.includes(name), name);
   const orders = names.map((name) => lessonNamed(name).lesson.order);
   assert.equal(new Set(orders).size, names.length);
 });
@@ -39,6 +40,10 @@ for (const name of names) {
         const part = dx.part(/** @type {any} */ (document));
         assert.deepEqual(part.diagnostics, [], `${name}, step ${k + 1}`);
         assert.ok(part.bodies[figure.feature[0]]?.features[figure.feature[1]]?.active, `${name}, step ${k + 1}: the part has the feature ${figure.feature}`);
+      } else if (figure.view === "laplace") {
+        const { diagnostics, exact } = dx.boundary(/** @type {any} */ (document));
+        assert.deepEqual(diagnostics, [], `${name}, step ${k + 1}`);
+        assert.ok(figure.reading !== "error" || exact, `${name}, step ${k + 1}: errors are measured where the solution is known`);
       } else if (figure.view === "body") assert.ok(dx.hyperpatch(/** @type {any} */ (document)).cells.length > figure.cell, `${name}, step ${k + 1}: the body of the figure has the cell ${figure.cell}`);
       else if (figure.view === "steps") {
         const steps = dx.steps(document);
@@ -249,10 +254,13 @@ const BAD = [
   ["an empty field", (t) => t.replace("alt: What is seen.", "alt:"), /line 9, alt: the field is empty/],
   ["an unknown layer", (t) => t.replace("caption:", "layers: material, lines\ncaption:"), /layers: there is no layer "lines"; there are: material/],
   ["an s out of range", (t) => t.replace("caption:", "s: 1.5\ncaption:"), /s: a number from 0 to 1, not "1\.5"/],
-  ["an unknown view", (t) => t.replace("caption:", "view: film\ncaption:"), /view: one of figure, steps, body, part, grid, not "film"/],
+  ["an unknown view", (t) => t.replace("caption:", "view: film\ncaption:"), /view: one of figure, steps, body, part, grid, laplace, not "film"/],
   ["a body shown as curves", (t) => t.replace("amoeba", "hyperpatch-cell"), /line 7, figure: "hyperpatch-cell" is no document of curves; the view body shows it/],
   ["curves shown as a body", (t) => t.replace("caption:", "view: body\ncaption:").replace("(lines)", "(net)"), /line 7, figure: the view body shows documents whose names begin with hyperpatch-, not "amoeba"/],
   ["a field of parts with curves", (t) => t.replace("caption:", "place: 1 2\ncaption:"), /place: belongs to figures of the view part/],
+  ["a circle with a part", (t) => t.replace("figure: amoeba", "figure: part-plate\nview: part\ncircle: 0.2").replace("(lines)", "(place)"), /circle: belongs to figures of the view laplace/],
+  ["a place with a grid", (t) => t.replace("figure: amoeba", "figure: part-ring\nview: grid\nplace: 1 2").replace("(lines)", "(features)"), /place: belongs to figures of the view part or laplace/],
+  ["panels that are none", (t) => t.replace("figure: amoeba", "figure: laplace-square\nview: laplace\npanels: 0 4").replace("(lines)", "(middles)"), /panels: fewest and most panels along a side, whole numbers/],
   ["a reading of another view", (t) => t.replace("figure: amoeba", "figure: part-plate\nview: part\nreading: scan").replace("(lines)", "(place)"), /reading: one of along, rules, not "scan"/],
   ["too many pixels of a grid", (t) => t.replace("figure: amoeba", "figure: part-ring\nview: grid\npixels: 65").replace("(lines)", "(features)"), /pixels: a whole number from 4 to 64, not "65"/],
   ["a change of a body", (t) => bodied(t).replace("caption:", "set: blend.stages = 3\ncaption:"), /set: changes curves/],
@@ -298,4 +306,61 @@ test("a lesson is named so that it fits into a link, and markup in its text stay
   assert.throws(() => readLesson("My lesson", GOOD, documents), /name: a lesson is named in small letters/);
   const { lesson } = readLesson("small", GOOD.replace("Text", "Text <img src=x onerror=alert(1)>"), documents);
   assert.ok(!JSON.stringify(lesson).includes("<img"));
+});
+
+/** Solves with a matrix, by Gauss and Jordan with the largest pivots. @param {number[][]} rows each with its right-hand side last */
+function solvedBy(rows) {
+  const count = rows.length;
+  for (let k = 0; k < count; k += 1) {
+    const pivot = rows.reduce((best, row, n) => (n >= k && Math.abs(row[k]) > Math.abs(rows[best][k]) ? n : best), k);
+    [rows[k], rows[pivot]] = [rows[pivot], rows[k]];
+    rows.forEach((row, n) => {
+      if (n === k) return;
+      const factor = row[k] / rows[k][k];
+      rows[n] = row.map((x, m) => x - factor * rows[k][m]);
+    });
+  }
+  return rows.map((row, k) => row[count] / row[k]);
+}
+
+test("the matrix that a figure shows is the one that the kernel solves with", async () => {
+  const boundary = dx.boundary(await documentNamed("laplace-few"));
+  const { matrix, count, values } = matrixOf(boundary);
+  const { panels, scale } = scaledPanels(boundary);
+  assert.ok(values.every(Boolean) && count === 16);
+  // Values less their middle, as the kernel has them, because constants cost accuracy where the sum of the fluxes is not 0.
+  const given = panels.map((_, n) => /** @type {{value: number[]}} */ (boundary.conditions[boundary.groups[n]]).value[0] - 0.5);
+  const doubled = panels.map(({ middle }) => panels.reduce((sum, panel, n) => sum + influence(panel, middle).double * given[n], 0));
+  const rows = panels.map((_, n) => [...matrix.subarray(n * count, (n + 1) * count), given[n] / 2 - doubled[n]]);
+  const { fluxes } = dx.solveLaplace(inputOf(boundary, { tolerance: 1e-10 }));
+  solvedBy(rows).forEach((flux, n) => assert.ok(Math.abs(flux * scale - fluxes[0][n]) < 1e-3, `${flux * scale}, not ${fluxes[0][n]}`));
+});
+
+test("a panel does what its integrals say, by many points in place of closed forms", async () => {
+  const [panel] = panelsOf(dx.boundary(await documentNamed("laplace-few")));
+  for (const point of /** @type {[number, number][]} */ ([[0.5, 0.5], [0.1, 0.01], [-0.3, 0.2]])) {
+    const { single, double } = influence(panel, point);
+    let [own, angle] = [0, 0];
+    const pieces = 4000;
+    for (let n = 0; n < pieces; n += 1) {
+      const y = [0, 1].map((axis) => panel.from[axis] + ((panel.to[axis] - panel.from[axis]) * (n + 0.5)) / pieces);
+      const [dx_, dy] = [y[0] - point[0], y[1] - point[1]];
+      const square = dx_ * dx_ + dy * dy;
+      own -= (Math.log(square) / 2) * (panel.length / pieces);
+      angle += ((dx_ * panel.normal[0] + dy * panel.normal[1]) / square) * (panel.length / pieces);
+    }
+    assert.ok(Math.abs(single - own / (2 * Math.PI)) < 1e-6 && Math.abs(double - angle / (2 * Math.PI)) < 1e-6);
+  }
+  assert.equal(influence(panel, panel.middle).double, 0);
+});
+
+test("pictures of bodies in space are their sections, seen the right way round", async () => {
+  const document = await documentNamed("laplace-cube");
+  const boundary = dx.boundary(document);
+  const { frame, box } = frameOf(document, boundary, 50);
+  assert.deepEqual(frame.size, [50, 50]);
+  const { values } = dx.solveLaplace(inputOf(boundary)).section(frame);
+  const column = 25;
+  assert.ok(values[0][45 * 50 + column] > 0.8 && values[0][25 * 50 + column] < 0.35, "rows run upwards, to the face that is 1");
+  assert.ok(Math.abs(box[0][0] + 0.03) < 1e-12 && Math.abs(box[1][1] - 1.03) < 1e-12);
 });

@@ -5,10 +5,12 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { load } from "directrix";
 import { root } from "../../scripts/lib/paths.mjs";
+import * as blend from "../../www/src/part/edits/blend.js";
 import * as bodies from "../../www/src/part/edits/bodies.js";
 import * as features from "../../www/src/part/edits/features.js";
 import * as materials from "../../www/src/part/edits/materials.js";
 import * as rules from "../../www/src/part/edits/rules.js";
+import { deleteShape, renameShape, usedNames } from "../../www/src/part/edits/shapes.js";
 import { profileOf, throughMiddle } from "../../www/src/part/profile/course.js";
 import { expression } from "../../www/src/part/profile/expression.js";
 
@@ -22,6 +24,8 @@ const folder = join(root, "www/presets/part");
 const preset = async (name) => dx.part(await readFile(join(folder, `${name}.json`), "utf8")).defaults();
 
 const rectangle = await preset("rectangle");
+const plate = await preset("heat-plate");
+const fillet = await preset("fillet");
 const scaffold = await preset("scaffold");
 const references = await preset("references");
 
@@ -49,6 +53,57 @@ test("features come, go, are copied, named, hidden and put elsewhere, and what a
   assert.deepEqual(names(features.moveFeature(rectangle, at, { body: 0, feature: 1 })), ["B", "A"]);
   assert.equal(features.moveFeature(rectangle, at, at), rectangle);
   for (const document of [doubled, hidden]) assert.deepEqual(accepted(document), document);
+});
+
+test("a body gets a blend from its outline and its holes, piece by piece, and loses it again", () => {
+  const plain = blend.setBlend(plate, 0, false);
+  assert.equal(plain.bodies[0].blend, undefined);
+  assert.equal(blend.setBlend(plain, 0, false), plain);
+  const blended = blend.setBlend(plain, 0, true);
+  assert.deepEqual(blend.boundariesOf(blended.bodies[0]).map(({ on, value }) => [on, value]), [["plate", [1, 0, 0]], ["copper pipe", [0, 1, 0]], ["steel pipe", [0, 0, 1]]]);
+  assert.deepEqual(accepted(blended), blended);
+  // The foot is a piece of its own; the loops come first, with or without a condition.
+  const pieces = blend.piecesOf(plate.bodies[0]).map(({ on, index, isLoop }) => [on, index, isLoop]);
+  assert.deepEqual(pieces, [["plate", 0, true], ["copper pipe", 1, true], ["steel pipe", 2, true], ["foot", 3, false]]);
+  const less = blend.removePiece(plate, 0, 0);
+  assert.deepEqual(blend.piecesOf(less.bodies[0])[0], { on: "plate", index: null, isLoop: true });
+  const again = blend.setBoundary(less, 0, "plate", null, { on: "plate", within: 0, flux: [0, 0, 0] });
+  assert.equal(blend.boundariesOf(again.bodies[0]).length, 4);
+  assert.equal(blend.conditionOf(blend.boundariesOf(again.bodies[0])[3]), "flux");
+  assert.deepEqual(accepted(again), again);
+  for (const kind of /** @type {const} */ (["insulated", "value", "flux", "body"])) {
+    const next = blend.firstCondition(fillet, 1, blend.boundariesOf(fillet.bodies[1])[0], kind);
+    assert.equal(blend.conditionOf(next ?? undefined), kind);
+    accepted(blend.setBoundary(fillet, 1, "seam", 0, next ?? { on: "seam" }));
+  }
+  assert.equal(blend.firstCondition(plate, 0, { on: "plate" }, "body"), null);
+  assert.equal(blend.firstCondition(plate, 0, { on: "plate" }, "feature"), null);
+  assert.deepEqual(blend.withSlope([0, 0, 0], 0, 0.1), [0.1, 0, -0.1]);
+});
+
+test("blends follow what they name: shapes, bodies, features and materials", () => {
+  const on = (/** @type {PartDocument} */ document, body = 0) => blend.boundariesOf(document.bodies[body]).map((each) => each.on);
+  assert.deepEqual(on(renameShape(plate, "foot", "base")), ["plate", "copper pipe", "steel pipe", "base"]);
+  assert.deepEqual(on(deleteShape(plate, "foot")), ["plate", "copper pipe", "steel pipe"]);
+  assert.deepEqual(on(deleteShape(plate, "steel pipe")), ["plate", "copper pipe", "foot"]);
+  assert.ok(usedNames(plate).has("foot"));
+  const renamed = bodies.renameBody(fillet, 2, "axle");
+  assert.deepEqual(blend.boundariesOf(renamed.bodies[1])[1].from, { body: "axle" });
+  assert.deepEqual(bodies.boundaryUsers(fillet, 0), ["fillet"]);
+  assert.equal(bodies.removeBody(fillet, 0), fillet);
+  assert.deepEqual(accepted(renamed), renamed);
+  const own = features.addFeature(fillet, 1, { name: "skin", hidden: true, reference: "shaft", from: 0, to: 5, start: [1, 0, 0], end: [0, 0, 1], course: { kind: "linear" } });
+  const from = blend.setBoundary(own, 1, "shaft", 1, { on: "shaft", within: 0, from: { feature: "skin" } });
+  const called = features.renameFeature(from, { body: 1, feature: 0 }, "rind");
+  assert.deepEqual(blend.boundariesOf(called.bodies[1])[1].from, { feature: "rind" });
+  assert.deepEqual(dx.part(called).diagnostics, []);
+  const sloped = blend.setBoundary(plate, 0, "plate", 0, { on: "plate", within: 0, flux: [0.1, -0.3, 0.2] });
+  const more = materials.addMaterial(sloped, { name: "void", color: "#ffffff", void: true });
+  assert.deepEqual(blend.boundariesOf(more.bodies[0])[0].flux, [0.1, -0.3, 0.2, 0]);
+  assert.ok(materials.isUsed(plate, 2) && !materials.isUsed(more, 3));
+  const fewer = materials.removeMaterial(sloped, 2, 0);
+  assert.deepEqual(blend.boundariesOf(fewer.bodies[0]).map(({ flux, value }) => flux ?? value), [[0.3, -0.3], [1, 0], [0, 1], [1, 0]]);
+  for (const document of [more, fewer]) assert.deepEqual(accepted(document), document);
 });
 
 test("a feature goes to the queue of another body, and the list is gone through up and down", () => {

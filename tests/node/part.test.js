@@ -23,7 +23,7 @@ const documents = Object.fromEntries(
 const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a}, not ${b}`);
 
 test("every preset is a part without faults, whose features all act and whose fractions sum to one", () => {
-  assert.equal(names.length, 7);
+  assert.equal(names.length, 9);
   for (const name of names) {
     const part = dx.part(documents[name]);
     assert.deepEqual(part.diagnostics, [], name);
@@ -37,6 +37,72 @@ test("every preset is a part without faults, whose features all act and whose fr
     });
     part.bodies.forEach(({ features }, n) => assert.equal(seen[n], 2 ** features.length - 1, `${name}: every feature holds some place`));
   }
+});
+
+/** A ring between two circles, copper inside and steel outside. @type {any} */
+const ring = {
+  directrix: 1,
+  kind: "part",
+  materials: [{ name: "copper", color: "#d55e00" }, { name: "steel", color: "#0072b2" }],
+  shapes: [
+    { name: "rim", kind: "circle", center: [0, 0], radius: 9 },
+    { name: "bore", kind: "circle", center: [0, 0], radius: 3 },
+  ],
+  bodies: [{ name: "ring", outline: "rim", holes: ["bore"], blend: { kind: "laplace", elements: 200, boundaries: [{ on: "rim", value: [0, 1] }, { on: "bore", value: [1, 0] }] } }],
+};
+
+test("a blended ring is a logarithm of the radius in readings, rasters, lines, amounts and files alike", () => {
+  const part = dx.part(ring);
+  assert.deepEqual(part.diagnostics, []);
+  near(part.bodies[0].blend ?? 0, 200, 8);
+  const exact = (/** @type {number} */ radius) => Math.log(radius / 3) / Math.log(3);
+  for (const radius of [3.01, 4, 6.5, 8.99]) near(part.probe([radius, 0])?.fractions?.[1] ?? NaN, exact(radius), 2e-3);
+  const along = part.along([[0, 0], [0, 9]], 91);
+  along.body.forEach((body, n) => body > 0 && near(along.fractions[1][n], exact(n / 10), 2e-3));
+  // So many pixels that the blend is found in several bands of rows.
+  const { size, body, fractions } = part.evaluate({ size: [700, 700] });
+  for (let pixel = 0; pixel < body.length; pixel += 173) {
+    const [x, y] = [((pixel % size[0]) + 0.5) / 700, (Math.floor(pixel / size[0]) + 0.5) / 700].map((share) => 18 * share - 9);
+    if (body[pixel] > 0) near(fractions[1][pixel], exact(Math.hypot(x, y)), 3e-3);
+  }
+  const [{ lines }] = part.isolines({ material: 1, levels: [0.5], size: [200, 200] });
+  assert.equal(lines.length, 1);
+  for (const [x, y] of lines[0]) near(Math.hypot(x, y), Math.sqrt(27), 0.02);
+  // 2 pi times the integral of ln(r / 3) / ln 3 times r from 3 to 9.
+  const whole = 2 * Math.PI * ((81 / 2) * exact(9) - (81 - 9) / 4 / Math.log(3));
+  near(part.amounts({ size: [400, 400] }).amounts[1], whole, whole * 3e-3);
+  const rows = new TextDecoder().decode(part.file({ format: "csv", size: [9, 9] })).trim().split("\n");
+  const cells = rows[1].split(",").map(Number);
+  near(cells.at(-1) ?? NaN, exact(Math.hypot(cells[0], cells[1])), 5e-3);
+  assert.deepEqual(part.defaults().bodies[0].blend, { kind: "laplace", elements: 200, boundaries: [{ on: "rim", within: 0, value: [0, 1] }, { on: "bore", within: 0, value: [1, 0] }] });
+});
+
+test("a fault of a blend is said with its piece and place, and the body keeps its default", () => {
+  const broken = structuredClone(ring);
+  broken.bodies[0].blend.boundaries.push(/** @type {any} */ ({ on: "bore", value: [0, 1] }));
+  const part = dx.part(broken);
+  const [{ code, path, skipped, body, boundary, at }] = part.diagnostics;
+  assert.deepEqual([code, path, skipped, body, boundary], ["conflict", "bodies[0].blend.boundaries[2]", true, 0, 2]);
+  near(Math.hypot(...(at ?? [0, 0])), 3, 1e-6);
+  assert.equal(part.bodies[0].blend, null);
+  assert.deepEqual(part.probe([5, 0])?.fractions, [1, 0]);
+});
+
+test("a material fillet takes over what the bodies on both sides have, in steps of no more than their time", () => {
+  const part = dx.part(documents.fillet);
+  const at = (/** @type {[number, number]} */ point) => part.probe(point)?.fractions ?? [];
+  // A little inside and outside of the shaft, and to the left and the right of the fillet.
+  for (const [inside, outside] of /** @type {[[number, number], [number, number]][]} */ ([[[0, 14.99], [0, 15.01]], [[-33.0, 0], [-33.7, 0]]])) {
+    at(inside).forEach((fraction, k) => near(fraction, at(outside)[k], 0.06));
+  }
+  const job = dx.job({ ...documents.fillet, title: "anew" }, { part: { question: "evaluate", rest: { options: { size: [60, 42] } } } });
+  let [steps, last] = [0, { done: false, progress: 0 }];
+  while (!last.done) {
+    last = job.step(0);
+    assert.ok(last.progress >= 0 && last.progress <= 1);
+    steps += 1;
+  }
+  assert.ok(steps > 20, `${steps} steps`);
 });
 
 test("the rectangle of two profiles has four leaves, each named, with their areas", () => {

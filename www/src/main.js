@@ -46,6 +46,7 @@ const root = document.documentElement;
 const BENCHES = {
   hyperpatch: () => import("./hyperpatch/hyperpatch.js").then(({ createHyperpatch }) => createHyperpatch),
   part: () => import("./part/part.js").then(({ createPart }) => createPart),
+  laplace: () => import("./laboratory/laboratory.js").then(({ createLaboratory }) => createLaboratory),
 };
 
 /** @returns {Promise<void>} */

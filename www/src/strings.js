@@ -132,6 +132,7 @@ export const strings = {
     curves: "Curves",
     part: "Part",
     hyperpatch: "Hyperpatch",
+    laplace: "Laplace",
     lessons: "Lessons",
     title: "Document title",
     edited: "Edited",

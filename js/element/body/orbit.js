@@ -12,6 +12,7 @@
  * @property {(camera: Camera, isDrag: boolean) => void} turn
  * @property {(view?: import("../../space/camera.js").StandardView) => void} fit
  * @property {() => void} rest a drag has ended
+ * @property {() => boolean} [isFlat] whether the picture is moved where others are turned
  * @property {(text: string) => void} say
  */
 import { dragged, middleOf, panned, turned, zoomed } from "../../space/camera.js";
@@ -25,6 +26,8 @@ import { words } from "./words.js";
 const DEAD = 4;
 /** Factor of a press of the buttons. */
 const ZOOM = 1.25;
+/** CSS pixels that a picture is moved by where another would turn by a degree. */
+const SLIDE = 5;
 /** Distances, as multiples of the fitted one. */
 const NEAREST = 0.25;
 const FARTHEST = 4;
@@ -58,6 +61,7 @@ export function createOrbit(host) {
     if ("view" in move || "fit" in move) host.fit("view" in move ? move.view : undefined);
     else if ("zoom" in move) zoom(move.zoom);
     else if ("pan" in move) host.turn(panned(host.camera(), host.frame(), ...move.pan), false);
+    else if (host.isFlat?.()) host.turn(panned(host.camera(), host.frame(), move.turn[0] * SLIDE, -move.turn[1] * SLIDE), false);
     else host.turn(turned(host.camera(), ...move.turn), false);
     const { azimuth, elevation, distance } = host.camera();
     if ("zoom" in move) host.say(words.zoomed(fixed((100 * host.fitted()) / distance, 0)));
@@ -95,7 +99,7 @@ export function createOrbit(host) {
     element.classList.add("held", "known");
     held.set(event.pointerId, at);
     if (held.size === 1) {
-      host.turn(pans ? panned(host.camera(), host.frame(), ...by) : dragged(host.camera(), ...by), true);
+      host.turn(pans || host.isFlat?.() ? panned(host.camera(), host.frame(), ...by) : dragged(host.camera(), ...by), true);
       return;
     }
     const other = [...held].find(([pointer]) => pointer !== event.pointerId)?.[1] ?? before;

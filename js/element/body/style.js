@@ -2,7 +2,8 @@
 import { sheetsOf } from "../sheets.js";
 import { ZOOMS_CSS } from "../zooms.js";
 
-const CSS = `
+/** Its own part, which figures that are turned in the same way have as well. */
+export const BODY_CSS = `
 .orbit { position: absolute; inset: 0; z-index: 1; outline: 0; cursor: grab; }
 .orbit.entered { touch-action: none; }
 .orbit.held { cursor: grabbing; }
@@ -17,4 +18,4 @@ const CSS = `
 `;
 
 /** The sheet for the figures of bodies of a document. */
-export const bodySheetOf = sheetsOf(`${CSS}${ZOOMS_CSS}`);
+export const bodySheetOf = sheetsOf(`${BODY_CSS}${ZOOMS_CSS}`);

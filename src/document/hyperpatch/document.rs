@@ -2,7 +2,7 @@
 
 use super::super::fields::materials;
 use super::super::node::Node;
-use super::super::read::check_version;
+use super::super::read::check_kind;
 use super::super::{Code, DocumentError, Json, MaterialSpec};
 use super::action::{Action, Operation};
 use super::names::LARGEST_ID;
@@ -115,14 +115,7 @@ impl HyperpatchHead {
     /// The first thing that is wrong, with its path.
     pub fn read(document: &Json) -> Result<Self, DocumentError> {
         let root = Node::root(document, "");
-        check_version(&root)?;
-        let kind = root.need("kind")?;
-        let kinds = ["curves", "part", "hyperpatch"];
-        let found = kind.choice(&kinds)?;
-        if found != 2 {
-            let message = format!("`{}` was found; expected the kind `hyperpatch`", kinds[found]);
-            return Err(kind.error(Code::Kind, message));
-        }
+        check_kind(&root, "hyperpatch")?;
         root.only(&["directrix", "kind", "title", "unit", "materials", "operations"])?;
         let text = |name: &str, most: usize, default: &str| match root.get(name)? {
             Some(node) => node.text(most),

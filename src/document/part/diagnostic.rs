@@ -14,7 +14,14 @@ use serde::Serialize;
 /// | `limits` | limits in the wrong order |
 /// | `course` | a number, key or value of a course that is out of range |
 /// | `expression` | a text that is no expression |
-/// | `limit` | a feature beyond those that the printed rule takes |
+/// | `limit` | a feature beyond those that the printed rule takes; a blend with it, or of a boundary with more corners than elements |
+/// | `conflict` | a place of a boundary with two conditions |
+/// | `apart` | a blend over a boundary whose parts meet, or from a body that is not there |
+/// | `circle` | bodies that take their compositions from each other |
+/// | `imbalance` | gradients alone that do not sum to nothing round the boundary |
+/// | `unsolved` | a blend whose equations cannot be solved |
+/// | `insulated` | remark: a blend of a boundary on which nothing is known |
+/// | `clamped` | remark: gradients that ask for more than there is of a material, or less than nothing |
 /// | `far` | remark: the band of a feature does not reach its body |
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -33,6 +40,9 @@ pub struct PartDiagnostic {
     /// Index of the feature in the body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feature: Option<u32>,
+    /// Index of the piece of the boundary in the blend of the body.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<u8>,
     /// Of an expression: the character, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub character: Option<u32>,
@@ -51,6 +61,7 @@ impl PartDiagnostic {
             message: message.into(),
             body: None,
             feature: None,
+            boundary: None,
             character: None,
             at: None,
         }

@@ -7,6 +7,8 @@ use std::rc::Rc;
 
 /// Pixels that are looked at between two looks at the clock.
 const BATCH: usize = 1 << 14;
+/// Share of the work that blends are.
+const BLENDS: f64 = 0.3;
 
 /// An answer to a [question](PartAsk).
 #[derive(Debug, Clone)]
@@ -69,6 +71,8 @@ pub struct LeafRow {
 pub struct PartJob {
     known: Rc<KnownPart>,
     ask: PartAsk,
+    /// Whether blends had to be solved first.
+    has_blends: bool,
     work: Work,
 }
 
@@ -76,6 +80,8 @@ pub struct PartJob {
 enum Work {
     /// It is to be decided what comes next.
     Planning,
+    /// Blends are being solved.
+    Blending,
     Evaluating(Box<RasterJob<Rc<Part>>>),
     Coloring(Rc<Raster>, Vec<u8>),
     Following(usize, Along),
@@ -92,7 +98,8 @@ impl PartJob {
     /// The job for a question that was read for this part.
     #[must_use]
     pub fn new(known: Rc<KnownPart>, ask: PartAsk) -> Self {
-        Self { known, ask, work: Work::Planning }
+        let has_blends = known.blended() < 1.0;
+        Self { known, ask, has_blends, work: Work::Planning }
     }
 
     /// Advances while `may_go_on` says so, at least by a little; returns the answer, and nothing more ever after.
@@ -121,6 +128,7 @@ impl PartJob {
         let later = |raster: &Raster, next: usize| 0.8 + 0.2 * next as f64 / raster.frame.count() as f64;
         let share = match &self.work {
             Work::Planning | Work::Done(_) => 0.0,
+            Work::Blending => return BLENDS * self.known.blended(),
             Work::Evaluating(job) => 0.8 * job.progress(),
             Work::Coloring(raster, colors) => later(raster, colors.len() / 4),
             Work::Summing(raster, next, _) | Work::Counting(raster, next, _) => later(raster, *next),
@@ -137,13 +145,17 @@ impl PartJob {
             },
             Work::Writing(raster, writer) => 0.8 + 0.2 * writer.progress(raster),
         };
-        share.min(0.999)
+        let before = if self.has_blends { BLENDS } else { 0.0 };
+        (before + (1.0 - before) * share).min(0.999)
     }
 
     fn advance(&self, work: Work, may_go_on: &mut dyn FnMut() -> bool) -> Work {
-        let model = self.known.model();
         match work {
             Work::Planning => self.plan(),
+            Work::Blending => {
+                self.known.blend(may_go_on);
+                self.plan()
+            }
             Work::Evaluating(mut job) => {
                 if !job.step(may_go_on) {
                     return Work::Evaluating(job);
@@ -164,7 +176,7 @@ impl PartJob {
                 if next == count {
                     return Work::Done(Some(PartAnswer::Along(along)));
                 }
-                let place = model.part().place(start.lerp(end, next as f64 / (count - 1) as f64));
+                let place = self.known.part().place(start.lerp(end, next as f64 / (count - 1) as f64));
                 along.body.push(place.as_ref().map_or(0, |place| place.body as u8 + 1));
                 along.leaves.push(place.as_ref().map_or(0, |place| place.leaf));
                 let fractions = place.and_then(|place| place.fractions);
@@ -215,20 +227,22 @@ impl PartJob {
     }
 
     fn plan(&self) -> Work {
-        let model = self.known.model();
+        if self.known.blended() < 1.0 && self.ask != PartAsk::Defaults {
+            return Work::Blending;
+        }
         if let Some(frame) = self.ask.frame() {
             if let Some(raster) = self.known.raster(&frame) {
                 return self.use_of(raster);
             }
-            let job = RasterJob::new(Rc::clone(model.part()), frame);
+            let job = RasterJob::new(self.known.part(), frame);
             return job.map_or(Work::Done(None), |job| Work::Evaluating(Box::new(job)));
         }
         match &self.ask {
             PartAsk::Defaults => Work::Done(Some(PartAnswer::Defaults)),
-            PartAsk::Probe(point) => Work::Done(Some(PartAnswer::Place(model.part().place(*point)))),
+            PartAsk::Probe(point) => Work::Done(Some(PartAnswer::Place(self.known.part().place(*point)))),
             PartAsk::Along { .. } => {
                 let along =
-                    Along { fractions: vec![Vec::new(); model.materials().len()], ..Along::default() };
+                    Along { fractions: vec![Vec::new(); self.known.part().materials], ..Along::default() };
                 Work::Following(0, along)
             }
             _ => Work::Done(Some(PartAnswer::Model)),

@@ -3,6 +3,7 @@
 use super::super::model::materials as build_materials;
 use super::super::{CurveForm, DocumentError};
 use super::diagnostic::PartDiagnostic;
+use super::plan::PlannedBlend;
 use super::schema::{
     BodySpec, ComposingRule, CourseSpec, FeatureSpec, Geometry, PartDocument, ReferenceSpec, RuleQuantity,
     ShapeSpec,
@@ -32,6 +33,7 @@ pub struct PartModel {
     document: PartDocument,
     materials: Vec<Material>,
     part: Rc<Part>,
+    blends: Vec<PlannedBlend>,
     rules: Vec<Option<DesignRule>>,
     diagnostics: Vec<PartDiagnostic>,
 }
@@ -44,10 +46,10 @@ impl PartModel {
     pub fn new(document: PartDocument) -> Result<Self, DocumentError> {
         let materials = build_materials(&document.materials)?;
         let mut builder = Builder::new(&document);
-        let bodies = builder.bodies();
+        let (bodies, blends) = builder.bodies();
         let rules = builder.rules();
         let part = Rc::new(Part { materials: materials.len(), bodies });
-        Ok(Self { materials, part, rules, diagnostics: builder.diagnostics, document })
+        Ok(Self { materials, part, blends, rules, diagnostics: builder.diagnostics, document })
     }
 
     /// The document.
@@ -62,7 +64,12 @@ impl PartModel {
         &self.materials
     }
 
-    /// The part, owned together with others.
+    /// The blends that are still to be solved.
+    pub(super) fn blends(&self) -> &[PlannedBlend] {
+        &self.blends
+    }
+
+    /// The part without its blends, owned together with others.
     #[must_use]
     pub fn part(&self) -> &Rc<Part> {
         &self.part
@@ -74,23 +81,23 @@ impl PartModel {
         &self.rules
     }
 
-    /// Faults and remarks, in the order of the document.
+    /// Faults and remarks but for those that are found with the blends, in the order of the document.
     #[must_use]
     pub fn diagnostics(&self) -> &[PartDiagnostic] {
         &self.diagnostics
     }
 }
 
-struct Builder<'a> {
-    document: &'a PartDocument,
+pub(super) struct Builder<'a> {
+    pub(super) document: &'a PartDocument,
     /// `None` where a shape could not be made.
     shapes: Vec<Option<Shape>>,
     /// Where shapes cross themselves, of those that were asked.
     crossings: Vec<OnceCell<Option<DVec2>>>,
-    diagnostics: Vec<PartDiagnostic>,
+    pub(super) diagnostics: Vec<PartDiagnostic>,
 }
 
-type Made<T> = Result<T, PartDiagnostic>;
+pub(super) type Made<T> = Result<T, PartDiagnostic>;
 
 impl<'a> Builder<'a> {
     fn new(document: &'a PartDocument) -> Self {
@@ -105,12 +112,12 @@ impl<'a> Builder<'a> {
     }
 
     /// What was made; a fault is noted.
-    fn kept<T>(&mut self, made: Made<T>) -> Option<T> {
+    pub(super) fn kept<T>(&mut self, made: Made<T>) -> Option<T> {
         made.map_err(|fault| self.diagnostics.push(fault)).ok()
     }
 
     /// A shape by its name.
-    fn shape(&self, name: &str, path: &str) -> Made<(usize, &Shape)> {
+    pub(super) fn shape(&self, name: &str, path: &str) -> Made<(usize, &Shape)> {
         let Some(number) = self.document.shapes.iter().position(|shape| shape.name == name) else {
             let message = format!("there is no shape \"{name}\"");
             return Err(PartDiagnostic::new("unknown-name", path, message));
@@ -171,7 +178,7 @@ impl<'a> Builder<'a> {
         Some(region)
     }
 
-    fn bodies(&mut self) -> Vec<Option<Body>> {
+    fn bodies(&mut self) -> (Vec<Option<Body>>, Vec<PlannedBlend>) {
         let document = self.document;
         // Boundaries are geometry alone, so that a body may refer to any other one, and none waits for another.
         let regions: Vec<Option<Region>> =
@@ -180,7 +187,8 @@ impl<'a> Builder<'a> {
             let region = regions[number].as_ref()?;
             self.body(number, spec, region, &regions)
         };
-        document.bodies.iter().enumerate().map(body).collect()
+        let bodies = document.bodies.iter().enumerate().map(body).collect();
+        (bodies, self.plans(&regions))
     }
 
     fn body(
@@ -224,10 +232,15 @@ impl<'a> Builder<'a> {
             _ => Composing::Overlap,
         };
         let overlap = Overlap::new(rule, region.bounds().diagonal(), default, profiles);
-        Some(Body { region: region.clone(), composing, overlap, features, slots })
+        Some(Body { region: region.clone(), composing, overlap, blend: None, features, slots })
     }
 
-    fn feature(&self, spec: &FeatureSpec, path: &str, regions: &[Option<Region>]) -> Made<Feature> {
+    pub(super) fn feature(
+        &self,
+        spec: &FeatureSpec,
+        path: &str,
+        regions: &[Option<Region>],
+    ) -> Made<Feature> {
         if let Some(reference) = &spec.reference {
             return self.reference(reference, &format!("{path}.reference"), regions).map(Feature::new);
         }
@@ -371,7 +384,7 @@ fn crossing(geometry: &Geometry) -> Option<DVec2> {
     }
 }
 
-fn build_profile(spec: &FeatureSpec, path: &str) -> Made<DistanceProfile> {
+pub(super) fn build_profile(spec: &FeatureSpec, path: &str) -> Made<DistanceProfile> {
     let composition = |mix: &[f64], field: &str| {
         let fault = |error: String| PartDiagnostic::new("course", format!("{path}.{field}"), error);
         Composition::new(mix.to_vec()).map_err(|error| fault(error.to_string()))
@@ -433,6 +446,7 @@ fn is_empty(region: &Region) -> bool {
         region: region.clone(),
         composing: Composing::Overlap,
         overlap,
+        blend: None,
         features: Vec::new(),
         slots: Vec::new(),
     };

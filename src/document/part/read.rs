@@ -3,8 +3,9 @@
 use super::super::control_points::plane_points;
 use super::super::fields::{materials, numbers};
 use super::super::node::Node;
-use super::super::read::check_version;
+use super::super::read::check_kind;
 use super::super::{Code, CurveForm, DocumentError, Json};
+use super::read_blend::read_blend;
 use super::schema::{
     BodySpec, ComposingRule, CourseKey, CourseSpec, FeatureSpec, Geometry, PartDocument, PartKind,
     PartRuleSpec, ReferenceSpec, RuleQuantity, ShapeSpec,
@@ -18,6 +19,8 @@ pub const MOST_SHAPES: usize = 500;
 pub const MOST_PART_POINTS: usize = 10_000;
 /// Most bodies of a part document.
 pub const MOST_BODIES: usize = 64;
+/// Most bodies with a blend.
+pub const MOST_BLENDS: usize = 16;
 /// Most features of a body.
 pub const MOST_PART_FEATURES: usize = 32;
 /// Most design rules of a part document.
@@ -27,9 +30,9 @@ const MOST_REFERENCES: usize = 8;
 /// Most holes of a body, and shapes that a boundary leaves out.
 const MOST_NAMES: usize = 100;
 /// Longest name.
-const LONGEST_NAME: usize = 100;
+pub(super) const LONGEST_NAME: usize = 100;
 /// Greatest coordinate and length.
-const LARGEST: f64 = 1e9;
+pub(super) const LARGEST: f64 = 1e9;
 
 type Read<T> = Result<T, DocumentError>;
 
@@ -40,14 +43,7 @@ type Read<T> = Result<T, DocumentError>;
 /// name that occurs twice, or too many of something. What fields mean together is for [`PartModel`](super::PartModel) to say.
 pub fn read_part(document: &Json) -> Read<PartDocument> {
     let root = Node::root(document, "");
-    check_version(&root)?;
-    let kind = root.need("kind")?;
-    let found = ["curves", "part", "hyperpatch"];
-    let number = kind.choice(&found)?;
-    if number != 1 {
-        let message = format!("`{}` was found; expected the kind `part`", found[number]);
-        return Err(kind.error(Code::Kind, message));
-    }
+    check_kind(&root, "part")?;
     root.only(&["directrix", "kind", "title", "unit", "materials", "shapes", "bodies", "rules"])?;
     let text = |name: &str, most: usize, default: &str| match root.get(name)? {
         Some(node) => node.text(most),
@@ -159,9 +155,9 @@ fn place(node: &Node<'_>) -> Read<[f64; 2]> {
 fn bodies(list: &Node<'_>, materials: usize) -> Read<Vec<BodySpec>> {
     let items = list.items()?;
     list.check_count(items.len(), " bodies", 0..=MOST_BODIES)?;
-    let (mut bodies, mut names) = (Vec::with_capacity(items.len()), BTreeMap::new());
+    let (mut bodies, mut names, mut blends) = (Vec::with_capacity(items.len()), BTreeMap::new(), 0);
     for item in &items {
-        item.only(&["name", "outline", "holes", "default", "rule", "features"])?;
+        item.only(&["name", "outline", "holes", "default", "blend", "rule", "features"])?;
         let name = own_name(item, "bodies", &mut names)?;
         let default = item.get("default")?.map_or_else(
             || Ok(Composition::pure(0, materials).fractions().to_vec()),
@@ -175,12 +171,16 @@ fn bodies(list: &Node<'_>, materials: usize) -> Read<Vec<BodySpec>> {
                 features.push(feature(item, number, &default)?);
             }
         }
+        let blend = item.get("blend")?.map(|node| read_blend(&node, materials)).transpose()?;
+        blends += usize::from(blend.is_some());
+        list.check_count(blends, " bodies with blends up to here", 0..=MOST_BLENDS)?;
         let rule = item.get("rule")?.map_or(Ok(0), |rule| rule.choice(&["repaired", "depth", "printed"]))?;
         bodies.push(BodySpec {
             name,
             outline: item.need("outline")?.text(LONGEST_NAME)?,
             holes: item.get("holes")?.map_or_else(|| Ok(Vec::new()), |list| names_of(&list))?,
             default,
+            blend,
             rule: [ComposingRule::Repaired, ComposingRule::Depth, ComposingRule::Printed][rule],
             features,
         });
@@ -195,7 +195,7 @@ fn names_of(list: &Node<'_>) -> Read<Vec<String>> {
 }
 
 /// A mix of all materials, or of some of them by their indices.
-fn read_mix(list: &Node<'_>, some: Option<&[usize]>, materials: usize) -> Read<Vec<f64>> {
+pub(super) fn read_mix(list: &Node<'_>, some: Option<&[usize]>, materials: usize) -> Read<Vec<f64>> {
     let given = numbers(list)?;
     let expected = some.map_or(materials, <[usize]>::len);
     list.check_count(given.len(), " fractions", expected..=expected)?;

@@ -109,10 +109,60 @@ pub struct BodySpec {
     pub holes: Vec<String>,
     /// Composition where no feature acts.
     pub default: Vec<f64>,
+    /// What stands in for the default in the interior.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blend: Option<PartBlendSpec>,
     /// How features share where they overlap.
     pub rule: ComposingRule,
     /// The queue of composition features.
     pub features: Vec<FeatureSpec>,
+}
+
+/// A composition that is blended over a body from what its boundary has.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PartBlendSpec {
+    /// How it is blended.
+    pub kind: PartBlendKind,
+    /// About how many elements the boundary is divided into, 32 to 2000.
+    pub elements: usize,
+    /// What is known on which pieces of the boundary; nothing flows across the rest.
+    pub boundaries: Vec<BoundarySpec>,
+}
+
+/// How a composition is blended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PartBlendKind {
+    /// Each fraction solves Laplace's equation.
+    Laplace,
+}
+
+/// A piece of a boundary with what is known on it: one of the three, or that nothing flows across it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BoundarySpec {
+    /// Name of the outline or of a hole, as far as no other piece has it, or of a shape that the boundary lies on.
+    pub on: String,
+    /// How far the boundary may be from that shape.
+    pub within: f64,
+    /// The composition.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<Vec<f64>>,
+    /// Of each material how its fraction changes outwards, per unit of length; the sum is 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flux: Option<Vec<f64>>,
+    /// What has the composition.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub from: Option<SourceSpec>,
+}
+
+/// What a boundary takes its composition from.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SourceSpec {
+    /// Another body, by its name.
+    Body(String),
+    /// The first feature of this name in the own queue, hidden or not.
+    Feature(String),
 }
 
 /// How features share where they overlap.

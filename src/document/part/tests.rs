@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use std::rc::Rc;
 
 /// A rectangle of 100 x 60 with a feature at its left edge.
-fn minimal() -> Value {
+pub(super) fn minimal() -> Value {
     json!({
         "directrix": 1, "kind": "part",
         "materials": [{"name": "a", "color": "#000000"}, {"name": "b", "color": "#ffffff"}],
@@ -21,15 +21,15 @@ fn minimal() -> Value {
     })
 }
 
-fn model(value: &Value) -> Result<PartModel, DocumentError> {
+pub(super) fn model(value: &Value) -> Result<PartModel, DocumentError> {
     read_part(&Json::from(value.clone())).and_then(PartModel::new)
 }
 
-fn known(value: &Value) -> Rc<KnownPart> {
+pub(super) fn known(value: &Value) -> Rc<KnownPart> {
     Rc::new(KnownPart::new(model(value).expect("a valid document")))
 }
 
-fn answer(known: &Rc<KnownPart>, name: &str, rest: Value) -> PartAnswer {
+pub(super) fn answer(known: &Rc<KnownPart>, name: &str, rest: Value) -> PartAnswer {
     let ask = PartAsk::read(name, &Json::from(rest), known.model()).expect("a question");
     let mut job = PartJob::new(Rc::clone(known), ask.clone());
     let mut steps = 0;
@@ -382,10 +382,13 @@ fn presets_are_valid_and_have_no_fault() {
         let path = file.expect("a file").path();
         let text = std::fs::read_to_string(&path).expect("a text");
         let model = model(&serde_json::from_str(&text).expect("JSON")).expect("a valid document");
-        assert_eq!(model.diagnostics(), [], "{}", path.display());
+        let known = Rc::new(KnownPart::new(model));
+        let summary = PartAsk::read("part", &Json::from(json!({})), known.model()).expect("a question");
+        assert!(PartJob::new(Rc::clone(&known), summary).run().is_some());
+        assert_eq!(known.diagnostics(), [], "{}", path.display());
         count += 1;
     }
-    assert_eq!(count, 7);
+    assert_eq!(count, 9);
 }
 
 /// The box grows evenly to whole pixels, and one of whole pixels stays.
@@ -440,13 +443,13 @@ fn pictures_alone_are_dithered_and_slices_are_of_all_materials() {
 }
 
 /// A number below `count` that follows from the seed.
-fn random(seed: &mut u64, count: usize) -> usize {
+pub(super) fn random(seed: &mut u64, count: usize) -> usize {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     ((*seed >> 33) as usize) % count
 }
 
 /// Changes one value somewhere in a document.
-fn mutate(value: &mut Value, seed: &mut u64) {
+pub(super) fn mutate(value: &mut Value, seed: &mut u64) {
     match value {
         Value::Object(map) if !map.is_empty() && random(seed, 30) > 0 => {
             let n = random(seed, map.len());

@@ -479,6 +479,25 @@ test("parts are read place by place, brought nearer, and lead to the editor as t
   });
 });
 
+test("boundary value problems are solved in figures, and say whether they lie in the plane or are the section of one in space", async () => {
+  const body = `<directrix-figure preset="laplace-cube" controls="full" theme="light">Cube</directrix-figure>
+    <directrix-figure preset="laplace-annulus" controls="full" theme="dark">Ring</directrix-figure>`;
+  await visit(browser, host.page(body), {}, async (page) => {
+    const figures = page.locator("directrix-figure");
+    const [cube, ring] = [figures.nth(0), figures.nth(1)];
+    const label = (/** @type {import("playwright-core").Locator} */ figure) => figure.locator("canvas").getAttribute("aria-label");
+    await eventually(async () => assert.match((await label(cube)) ?? "", /Section of a solution in space, 768 triangles, solved, \d+ iterations/));
+    await eventually(async () => assert.match((await label(ring)) ?? "", /Problem in the plane, 192 segments, solved/));
+    assert.equal((await cube.evaluate((/** @type {any} */ element) => element.result)).verified, true);
+    assert.equal(await cube.getByRole("slider").count(), 0, "nothing to be played");
+    assert.match(await ring.locator(".key").innerText(), /^Problem in the plane$/);
+    await cube.locator(".orbit").focus();
+    await page.keyboard.press("6");
+    await eventually(async () => assert.match(await cube.locator(".spoken[aria-live]").innerText(), /^Seen from/));
+    assert.deepEqual(await audit(page), []);
+  });
+});
+
 /** Pixels of a canvas that have the colour of the second material. @param {HTMLCanvasElement} canvas */
 function greens(canvas) {
   const copy = document.createElement("canvas");

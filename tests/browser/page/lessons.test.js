@@ -21,8 +21,8 @@ const files = (await readdir(lessonFolder)).filter((file) => file.endsWith(".md"
 const lessons = (await Promise.all(files.map(async (file) => readLesson(file.slice(0, -3), await readFile(`${lessonFolder}/${file}`, "utf8"), documents).lesson)))
   .sort((a, b) => a.order - b.order);
 const [first, , greedy, cell] = /** @type {[Lesson, Lesson, Lesson, Lesson]} */ (lessons);
-const LATER = ["cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error"];
-const [validity, corner, material, profiles, transform, overlaps, voxels] = LATER.map((wanted) => /** @type {Lesson} */ (lessons.find(({ name }) => name === wanted)));
+const LATER = ["cell-validity", "corner-continuity", "material-continuity", "distance-profiles", "distance-transform", "overlaps", "voxel-error", "heat", "boundary-elements", "why-precondition"];
+const [validity, corner, material, profiles, transform, overlaps, voxels, heat, elements, precondition] = LATER.map((wanted) => /** @type {Lesson} */ (lessons.find(({ name }) => name === wanted)));
 
 const control = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`[data-lesson=${name}]`);
 const term = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`.lesson [data-term="${name}"]`).first();
@@ -495,6 +495,26 @@ test("a cell by hand: what is summed at a place, what rides along when a coeffic
     await eventually(async () => assert.match(await value("worst"), /^0\.646 /));
   });
 
+  await t.test("means, panels, the matrix and residuals are solved as they are shown", async () => {
+    await goTo(page, heat, 2);
+    await eventually(async () => assert.deepEqual([await value("own"), await value("mean")], ["0.4336", "0.4336"]));
+    await control(page, "place").focus();
+    await page.keyboard.press("Shift+ArrowDown");
+    await eventually(async () => assert.notEqual(await value("own"), "0.4336"));
+    await eventually(async () => assert.ok(Math.abs(Number(await value("own")) - Number(await value("mean"))) < 1e-3));
+    await slide("radius", "0.5");
+    await eventually(async () => assert.match(await page.locator(".cell-reading").innerText(), /leaves the body/));
+    await goTo(page, elements, 3);
+    await eventually(async () => assert.deepEqual([await value("size"), await value("zeros")], ["256", "0"]));
+    await slide("steps", "6");
+    await eventually(async () => assert.deepEqual([await value("size"), await value("panels")], ["576", "24 panels"]));
+    await goTo(page, precondition, 4);
+    await eventually(async () => assert.ok(Number(await value("iterations-ssor")) > Number(await value("iterations-none"))));
+    const before = Number(await value("iterations-ssor"));
+    await slide("omega", "1");
+    await eventually(async () => assert.ok(Number(await value("iterations-ssor")) > before));
+  });
+
   await goTo(page, cell, 5);
   await eventually(async () => assert.equal(await value("verdict"), "valid"));
   // A field shows every digit once it has the focus.
@@ -540,7 +560,7 @@ test("on a phone, in the dark: contents, turning, targets, and nothing wider tha
   await page.locator(".lesson-contents").tap();
   await page.getByRole("link", { name: greedy.title }).tap();
   await shows(page, greedy, 1);
-  for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3], [validity, 3], [corner, 2], [material, 1], [transform, 3], [overlaps, 2], [voxels, 1]])) {
+  for (const [lesson, step] of /** @type {[Lesson, number][]} */ ([[greedy, 3], [first, 2], [first, 3], [cell, 2], [cell, 3], [validity, 3], [corner, 2], [material, 1], [transform, 3], [overlaps, 2], [voxels, 1], [elements, 3], [precondition, 2]])) {
     await goTo(page, lesson, step);
     assert.deepEqual(await audit(page, lesson === greedy ? undefined : [".lesson"]), []);
     const wide = await page.locator(".lesson-scroll").evaluate((element) => element.scrollWidth > element.clientWidth);

@@ -137,6 +137,45 @@ onOnePage(
       await paintsAsKernel(page, [[80, 50]]);
     },
 
+    async "is blended from its boundary, piece by piece, and says what is wrong beside the piece"(page) {
+      const blend = async () => (await documentOf(page)).bodies[0].blend;
+      await openGroup(page, "blend");
+      await pick(page, "part-blend", "laplace");
+      await eventually(async () => assert.deepEqual((await blend())?.boundaries, [{ on: "rectangle", within: 0, value: [0, 0, 1] }]));
+      await eventually(async () => assert.match(await spoken(page), /rectangle is blended from its boundary/));
+      assert.equal(await page.locator("[data-part-default='0'] .tree-name").innerText(), "Blend");
+
+      // A piece of the outline is told by a shape on it, and lit while it is looked at.
+      await page.locator("[data-action=add-piece]").click();
+      await page.getByRole("menuitem", { name: "edge A" }).click();
+      const line = page.locator("[data-blend-piece='edge A']");
+      await eventually(async () => assert.equal(await line.getAttribute("aria-expanded"), "true"));
+      await line.hover();
+      await page.locator(".shape.lit").first().waitFor();
+      const piece = page.locator(".blend-piece", { has: line });
+      await piece.locator("input[data-field=percent-0]").fill("100");
+      await piece.locator("input[data-field=percent-0]").press("Enter");
+      await eventually(async () => assert.deepEqual((await blend())?.boundaries[1].value, [1, 0, 0]));
+      await page.locator("[data-blend-piece=rectangle]").click();
+      const rest = page.locator(".blend-piece", { has: page.locator("[data-blend-piece=rectangle]") });
+      await rest.locator("[data-select=blend-condition]").selectOption("insulated");
+      await eventually(async () => assert.deepEqual((await blend())?.boundaries[0], { on: "rectangle", within: 0 }));
+      await paintsAsKernel(page, [[90, 50], [60, 45]]);
+      assert.deepEqual(await audit(page), []);
+
+      // The same place twice with different conditions: the piece says so, and the default is back until that is undone.
+      await line.click();
+      await piece.locator("input[data-field=blend-within]").fill("500");
+      await piece.locator("input[data-field=blend-within]").press("Enter");
+      await page.locator("[data-action=add-piece]").click();
+      await page.getByRole("menuitem", { name: "edge B" }).click();
+      const second = page.locator(".blend-piece", { has: page.locator("[data-blend-piece='edge B']") });
+      await eventually(async () => assert.match(await second.locator(".part-fault").innerText(), /boundaries\[1\] has another condition/));
+      await eventually(async () => assert.match(await status(page), /^1 problem/));
+      await page.locator("[data-action=undo]").click();
+      await eventually(async () => assert.doesNotMatch(await status(page), /problem/));
+    },
+
     async "follows a drag with few pixels, and has all of them once it rests"(page) {
       await measured(page);
       const pixels = async () => Number((await page.locator("[data-total=pixels] .strong").innerText()).replaceAll("\u2009", ""));

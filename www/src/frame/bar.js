@@ -33,7 +33,7 @@ export function createBar(app) {
     app.store.commit({ change: (document) => ({ ...document, title: text }) }),
   );
   const state = h("span", { class: "bar-state", "data-state": "" });
-  const benches = /** @type {const} */ (["curves", "part", "hyperpatch"]).map((kind) => h("a", { href: "#stage", "data-bench": kind }, words[kind]));
+  const benches = /** @type {const} */ (["curves", "part", "hyperpatch", "laplace"]).map((kind) => h("a", { href: "#stage", "data-bench": kind }, words[kind]));
   const lessons = h("a", { href: "#lesson" }, words.lessons);
   const undo = iconButton("undo", icon("undo"), commandText(app, "undo"));
   const redo = iconButton("redo", icon("redo"), commandText(app, "redo"));

@@ -59,6 +59,17 @@ export const MODE_KEYS = [
     ],
   },
   {
+    heading: "Laplace",
+    rows: [
+      { text: "Compare solvers, back to the solution", keys: ["C"] },
+      { text: "Give the chosen group what is tapped", keys: ["P"] },
+      { text: "Go round the body, or move the crosshair of the reader in the plane", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Read the place in the middle, end the reading", keys: ["Enter", "Escape"] },
+      { text: "Move the plane of the section, from its handle", keys: ["ArrowUp", "ArrowDown", "PageUp", "PageDown"] },
+      { text: "Read a plot, from the plot", keys: ["ArrowRight", "ArrowLeft", "Home", "End"] },
+    ],
+  },
+  {
     heading: "Lessons",
     rows: [
       { text: "Next step, step before", keys: ["ArrowRight", "ArrowLeft", "PageDown", "PageUp"] },

@@ -12,7 +12,7 @@ const PAST_FIELDS = ["undo", "redo"];
 /** Topics whose keys belong to the canvas: elsewhere Delete must not take a point away. */
 const ON_CANVAS = ["select", "points"];
 /** Topics whose keys work in each mode but the figure, where all do, and in other workbenches. @type {{[mode: string]: string[]}} */
-const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"], solid: ["document", "mode"], part: ["document", "view"], hyperpatch: ["document"] };
+const IN_MODE = { steps: ["document", "mode", "view"], compare: ["document", "mode"], solid: ["document", "mode"], part: ["document", "view"], hyperpatch: ["document"], laplace: ["document"] };
 
 /**
  * @param {App} app

@@ -22,6 +22,7 @@
 const KINDS = {
   hyperpatch: async () => (await import("../hyperpatch/kind.js")).bodyKind,
   part: async () => (await import("../part/kind.js")).partKind,
+  laplace: async () => (await import("../laboratory/kind.js")).laboratoryKind,
 };
 
 /**

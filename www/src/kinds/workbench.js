@@ -8,7 +8,7 @@ import { isOf } from "../state/kind.js";
 
 /**
  * @param {App} app
- * @param {"hyperpatch" | "part"} kind
+ * @param {"hyperpatch" | "part" | "laplace"} kind
  * @param {(app: App) => Part & {close: () => void}} enter puts it on the page; it is closed when it is left
  * @returns {Part}
  */

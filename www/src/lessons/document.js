@@ -19,6 +19,7 @@ export function figureDocument(source, figure) {
   const { changes, layers, s, view: kind } = figure;
   if (kind === "body") return /** @type {any} */ (firstState(/** @type {any} */ (source), figure));
   if (kind === "part" || kind === "grid") return /** @type {any} */ (firstPart(/** @type {any} */ (source), figure));
+  if (kind === "laplace") return structuredClone(/** @type {any} */ (source));
   const document = structuredClone(/** @type {any} */ (source));
   for (const [path, value] of changes) {
     const keys = path.split(".");

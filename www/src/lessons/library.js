@@ -14,6 +14,7 @@
 const OTHERS = {
   body: async () => (await import("./body-view.js")).createBodyFigure,
   part: async () => (await import("./part-view.js")).createPartFigure,
+  laplace: async () => (await import("./laplace-view.js")).createLaplaceFigure,
   grid: async () => (await import("./grid-view.js")).createGridFigure,
 };
 

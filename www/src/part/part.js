@@ -48,7 +48,7 @@ const ROOM = { top: 56, side: 40 };
 const EMPTY = [[-50, -50], [50, 50]];
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
-let memory = { open: ["tree", "feature", "profile", "overlap", "display"], tab: "tree" };
+let memory = { open: ["tree", "feature", "profile", "overlap", "blend", "display"], tab: "tree" };
 /** Width from which the list of features has a place of its own. */
 const WIDE = "(width >= 1200px)";
 
@@ -190,6 +190,7 @@ function openWorkbench(app) {
       ...(isNew("shape") ? ["shape"] : []),
       ...(isNew("feature") || (isNew("body") && patch.feature != null) ? ["feature", "profile"] : []),
       ...(isNew("rule") ? ["rules"] : []),
+      ...(patch.body != null && patch.feature == null && partOf(app).bodies[patch.body]?.blend ? ["blend"] : []),
     ];
     if (names.length > 0) memory = { ...memory, open: [...new Set([...memory.open, ...names])] };
   }

@@ -29,7 +29,7 @@ export function faultsOf({ part, measured }) {
 export const isOne = (error) => error <= ROUNDING;
 
 /**
- * What a diagnostic is about, as a choice: the feature, the shape or the design rule at its path, and the place that shows it.
+ * What a diagnostic is about, as a choice: the feature, the blend, the shape or the design rule at its path, and the place that shows it.
  * @param {WholePart} document
  * @param {PartDiagnostic} diagnostic
  * @returns {Partial<Shown>}
@@ -46,6 +46,8 @@ export function choiceOf({ shapes = [], bodies }, diagnostic) {
   if (shape !== null) return { shape: shapes[shape]?.name ?? null, point: null, rule: null, witness };
   if (rule !== null) return { rule, shape: null, point: null, witness };
   const of = diagnostic.body ?? indexIn("bodies");
+  const isBlend = path.includes(".blend");
+  if (of !== null && isBlend) return { body: of, feature: null, shape: null, point: null, rule: null, witness, lit: bodies[of]?.blend?.boundaries?.[diagnostic.boundary ?? -1]?.on ?? null };
   const outline = of !== null && witness && feature === null ? (bodies[of]?.outline ?? null) : null;
   return { body: of, feature, shape: shapes.some(({ name }) => name === outline) ? outline : null, point: null, rule: null, witness };
 }

@@ -18,6 +18,7 @@
  * @property {Leaf | null} leaf the leaf that is lit
  * @property {boolean} shapes whether reference shapes and outlines are drawn
  * @property {boolean} compare whether the three rules for overlaps stand side by side
+ * @property {string | null} lit name of the shape that is lit, because what is said of a boundary is looked at
  * @property {Point | null} witness a place that shows what is wrong with what is chosen
  * @property {boolean} difference whether a body by the rule `printed` shows what it differs by from `repaired`
  *
@@ -81,11 +82,14 @@ export const FIRST_SHOWN = {
   shapes: true,
   compare: false,
   difference: false,
+  lit: null,
   witness: null,
 };
 
-/** What is chosen in a document that has just been opened: its first feature, whose profile is then there to be seen. @param {WholePart} document */
+/** What is chosen in a document that has just been opened: its first body with a blend, else its first feature, which are then there to be seen. @param {WholePart} document */
 export function firstChoice({ bodies }) {
+  const blended = bodies.findIndex(({ blend }) => blend !== undefined);
+  if (blended >= 0) return { body: blended, feature: null };
   const body = bodies.findIndex(({ features = [] }) => features.length > 0);
   return body < 0 ? {} : { body, feature: 0 };
 }

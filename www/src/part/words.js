@@ -9,6 +9,8 @@ export const PRESETS = [
   { id: "part-scaffold", file: "scaffold", line: "A scaffold with many pores, graded from its sides." },
   { id: "part-tool", file: "tool", line: "A tool with cooling channels: from the channels, and from its outline." },
   { id: "part-coating", file: "coating", line: "A thin coating under a deep gradient, which the printed rule loses." },
+  { id: "part-heat-plate", file: "heat-plate", line: "A plate between two pipes and a foot, blended as heat would spread." },
+  { id: "part-fillet", file: "fillet", line: "A material fillet: a ring takes over what the bodies on both sides have." },
 ];
 
 export const words = {

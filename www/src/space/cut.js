@@ -4,7 +4,7 @@
  * The face is found by counting the surfaces behind it in the stencil buffer: an odd number of them means that it is inside. So it is only
  * asked for where the body is closed.
  *
- * @import { BufferGeometry } from "three"
+ * @import { BufferGeometry, ShaderMaterial } from "three"
  * @import { Plane } from "./plane.js"
  * @import { Bounds } from "./vector.js"
  */
@@ -48,15 +48,16 @@ export class Cut {
   #plane;
   #passes;
   #face;
-  #hatch;
+  #look;
   #band;
   #line;
 
   /**
    * @param {ClippingPlane} plane one of `planes`
    * @param {ClippingPlane[]} planes all that cut the body
+   * @param {ShaderMaterial} [look] of the face; hatched where nothing else is given
    */
-  constructor(plane, planes) {
+  constructor(plane, planes, look) {
     this.#plane = plane;
     const others = planes.filter((other) => other !== plane);
     const place = planes.indexOf(plane) + 1;
@@ -79,8 +80,8 @@ export class Cut {
       pass.renderOrder = -10 + place;
       return pass;
     });
-    this.#hatch = hatchMaterial(others);
-    Object.assign(this.#hatch, {
+    this.#look = look ?? hatchMaterial(others);
+    Object.assign(this.#look, {
       stencilWrite: true,
       stencilRef: 0,
       stencilFunc: NotEqualStencilFunc,
@@ -88,7 +89,7 @@ export class Cut {
       stencilZFail: ReplaceStencilOp,
       stencilZPass: ReplaceStencilOp,
     });
-    this.#face = new Mesh(new PlaneGeometry(1, 1), this.#hatch);
+    this.#face = new Mesh(new PlaneGeometry(1, 1), this.#look);
     this.#face.renderOrder = -10 + place + 0.5;
     this.#face.matrixAutoUpdate = false;
     this.#face.onAfterRender = (renderer) => renderer.clearStencil();
@@ -106,13 +107,13 @@ export class Cut {
   /**
    * @param {Plane | null} plane null to cut nothing
    * @param {Bounds} bounds of the body
-   * @param {{positions: number[], values: number[]}} outline with its colours, sRGB from 0 to 1
+   * @param {{positions: number[], values: number[]}} outline with its colours, sRGB from 0 to 1; without any it has no band beside its line
    * @param {boolean} hasFace whether the body is closed, so that its inside is known
    */
   set(plane, bounds, outline, hasFace) {
     movePlane(this.#plane, plane);
     for (const each of [...this.#passes, this.#face]) each.visible = plane !== null && hasFace;
-    this.#band.set(plane ? outline.positions : [], outline.values);
+    this.#band.set(plane && outline.values.length > 0 ? outline.positions : [], outline.values);
     this.#line.set(plane ? outline.positions : []);
     if (!plane) return;
     const { normal, offset } = plane;
@@ -142,17 +143,17 @@ export class Cut {
    * @param {number} pixelRatio
    */
   paint({ paper, ink, line }, pixelRatio) {
-    const { uniforms } = this.#hatch;
-    uniforms.paper.value = plainColor(paper);
-    uniforms.ink.value = plainColor(ink);
-    uniforms.pixelRatio.value = pixelRatio;
+    const { uniforms } = this.#look;
+    if (uniforms.paper) uniforms.paper.value = plainColor(paper);
+    if (uniforms.ink) uniforms.ink.value = plainColor(ink);
+    if (uniforms.pixelRatio) uniforms.pixelRatio.value = pixelRatio;
     this.#line.paint(line);
   }
 
   dispose() {
     for (const pass of this.#passes) pass.material.dispose();
     this.#face.geometry.dispose();
-    this.#hatch.dispose();
+    this.#look.dispose();
     this.#band.dispose();
     this.#line.dispose();
   }

@@ -13,6 +13,7 @@
  * @property {import("../solid/state.js").SolidUi | null} solid what the picture of the solid shows; null until something is chosen there
  * @property {import("../hyperpatch/seen.js").Seen | null} [body] how the picture of a body was left
  * @property {import("../part/seen.js").Seen | null} [part] how the picture of a part was left
+ * @property {import("../laboratory/seen.js").Seen | null} [lab] how the picture of a problem was left
  * @property {"curves" | "lessons"} workbench follows the address
  * @property {number} span the span of a stack that the modes `steps` and `compare` look at
  * @property {number} step the step of the greedy growth that the mode `steps` shows or would show

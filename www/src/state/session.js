@@ -41,7 +41,7 @@ export function keep(app) {
   const write = () => {
     clearTimeout(timer);
     if (location.hash !== taken) return;
-    const { mode, solid, body, part, step, selection, view, fitted, fitScale, layers, s, motion, isoMaterial, patterns, stageLabels, open, tab, snap } = app.ui.value;
+    const { mode, solid, body, part, lab, step, selection, view, fitted, fitScale, layers, s, motion, isoMaterial, patterns, stageLabels, open, tab, snap } = app.ui.value;
     try {
       history.replaceState(
         {
@@ -49,7 +49,7 @@ export function keep(app) {
           document: app.store.document,
           edited: app.store.edited,
           kept: app.keeper.kept(),
-          ui: { mode, solid, body, part, step, selection, view, fitted, fitScale, layers, s, motion, isoMaterial, patterns, stageLabels, open, tab, snap },
+          ui: { mode, solid, body, part, lab, step, selection, view, fitted, fitScale, layers, s, motion, isoMaterial, patterns, stageLabels, open, tab, snap },
         },
         "",
       );

@@ -1,9 +1,10 @@
 /**
  * Edits of the bodies of a part, as pure functions. What names a body follows when its name changes.
  *
- * @import { PartReference } from "../../../../js/directrix.js"
+ * @import { PartBody, PartReference } from "../../../../js/directrix.js"
  * @import { WholePart } from "../document.js"
  */
+import { withSource } from "./conditions.js";
 import { BODY_LIMIT, changeBody, freeName, pure, queueOf } from "./features.js";
 import { written } from "./numbers.js";
 
@@ -21,18 +22,24 @@ export function addBody(document, outline, name = outline) {
   return { ...document, bodies: [...bodies, { name: own, outline, holes: [], default: pure(0, materials.length), rule: "repaired", features: [] }] };
 }
 
-/** Takes a body away; the last one stays, and so does one whose boundary a feature of another is measured to. @param {WholePart} document @param {number} index */
+/** Takes a body away; the last one stays, and so does one whose boundary a feature of another is measured to or whose composition a blend takes. @param {WholePart} document @param {number} index */
 export function removeBody(document, index) {
   if (!document.bodies[index] || document.bodies.length < 2 || boundaryUsers(document, index).length > 0) return document;
   return { ...document, bodies: document.bodies.filter((_, k) => k !== index) };
 }
 
-/** Names of the features of other bodies that are measured to the boundary of one. @param {WholePart} document @param {number} index */
+/** Names of the features of other bodies that are measured to the boundary of one, and of the bodies whose blends take its composition. @param {WholePart} document @param {number} index */
 export function boundaryUsers({ bodies }, index) {
   const { name } = bodies[index];
   const names = (/** @type {PartReference | undefined} */ reference) => typeof reference === "object" && reference.boundary === name;
+  const isTaken = (/** @type {PartBody} */ { blend }) => blend?.boundaries?.some(({ from }) => from && "body" in from && from.body === name) ?? false;
   return bodies.flatMap((body, k) =>
-    k === index ? [] : queueOf(body).flatMap((feature) => ([feature.reference, ...Object.values(feature.references ?? {})].some(names) ? [feature.name ?? ""] : [])),
+    k === index
+      ? []
+      : [
+          ...queueOf(body).flatMap((feature) => ([feature.reference, ...Object.values(feature.references ?? {})].some(names) ? [feature.name ?? ""] : [])),
+          ...(isTaken(body) ? [body.name] : []),
+        ],
   );
 }
 
@@ -59,7 +66,7 @@ export function renameBody(document, index, name) {
       const next = renamed(reference);
       return next === reference ? feature : { ...feature, reference: next };
     });
-    return { ...other, features, ...(k === index ? { name } : {}) };
+    return withSource({ ...other, features, ...(k === index ? { name } : {}) }, "body", body.name, name);
   });
   return { ...document, bodies };
 }

@@ -8,6 +8,7 @@
  * @property {number} body
  * @property {number} feature
  */
+import { withSource } from "./conditions.js";
 import { tidy, written } from "./numbers.js";
 
 /** Most features of a body, and most bodies, as in docs/format.md. */
@@ -113,8 +114,14 @@ export function duplicateFeature(document, at) {
   return feature ? addFeature(document, at.body, feature, at.feature + 1) : document;
 }
 
-/** @param {WholePart} document @param {At} at @param {string} name */
-export const renameFeature = (document, at, name) => patchFeature(document, at, { name });
+/** Renames a feature; a blend that takes its composition from it follows. @param {WholePart} document @param {At} at @param {string} name */
+export function renameFeature(document, at, name) {
+  const before = featureAt(document, at)?.name ?? "";
+  // The first one of a name is meant.
+  const isMeant = queueOf(document.bodies[at.body]).findIndex((other) => other.name === before) === at.feature;
+  const renamed = patchFeature(document, at, { name });
+  return isMeant && renamed !== document ? changeBody(renamed, at.body, (body) => withSource(body, "feature", before, name)) : renamed;
+}
 
 /** @param {WholePart} document @param {At} at @param {boolean} hidden */
 export const hideFeature = (document, at, hidden) => patchFeature(document, at, { hidden });

@@ -5,6 +5,7 @@
  *
  * @typedef {NonNullable<WholePart["materials"]>[number]} Material
  */
+import { withBlended } from "./conditions.js";
 import { mixesOf, queueOf, withMixes } from "./features.js";
 import { tidy, written } from "./numbers.js";
 import { rulesOf } from "./rules.js";
@@ -26,13 +27,15 @@ export function changeMaterial(document, index, patch) {
 /** @param {WholePart} document @param {Material} material @returns {WholePart} */
 export function addMaterial(document, material) {
   if (materialsOf(document).length >= MATERIAL_LIMIT) return document;
-  return withAllMixes({ ...document, materials: [...materialsOf(document), material] }, (mix) => [...mix, 0]);
+  const longer = (/** @type {number[]} */ list) => [...list, 0];
+  return withAllMixes({ ...document, materials: [...materialsOf(document), material] }, longer, longer);
 }
 
 /** Whether a mix holds some of a material, or a design rule is about it. @param {WholePart} document @param {number} index */
 export function isUsed(document, index) {
   const holds = (/** @type {readonly number[] | undefined} */ mix) => (mix?.[index] ?? 0) > 0;
-  const isHeld = document.bodies.some((body) => holds(body.default) || queueOf(body).some((feature) => mixesOf(feature).some(holds)));
+  const isKnown = (/** @type {WholePart["bodies"][number]} */ { blend }) => blend?.boundaries?.some(({ value, flux }) => holds(value) || (flux?.[index] ?? 0) !== 0);
+  const isHeld = document.bodies.some((body) => holds(body.default) || isKnown(body) || queueOf(body).some((feature) => mixesOf(feature).some(holds)));
   return isHeld || rulesOf(document).some(({ material }) => material === index);
 }
 
@@ -55,13 +58,14 @@ export function removeMaterial(document, index, into = null) {
   };
   const moved = (/** @type {number} */ material) => (material > index ? material - 1 : material);
   const rules = rulesOf(document).map((rule) => ({ ...rule, material: moved(rule.material === index ? (into ?? 0) : rule.material) }));
-  return withAllMixes({ ...document, materials: materials.filter((_, k) => k !== index), rules }, without);
+  const moveSlope = (/** @type {number[]} */ flux) => flux.map((slope, k) => (k === into ? tidy(slope + flux[index]) : slope)).filter((_, k) => k !== index);
+  return withAllMixes({ ...document, materials: materials.filter((_, k) => k !== index), rules }, without, moveSlope);
 }
 
-/** @param {WholePart} document @param {(mix: number[]) => number[]} change @returns {WholePart} */
-function withAllMixes(document, change) {
+/** @param {WholePart} document @param {(mix: number[]) => number[]} change @param {(flux: number[]) => number[]} changeSlope @returns {WholePart} */
+function withAllMixes(document, change, changeSlope) {
   const bodies = document.bodies.map((body) => ({
-    ...body,
+    ...withBlended(body, change, changeSlope),
     ...(body.default ? { default: change(body.default) } : {}),
     features: queueOf(body).map((feature) => withMixes(feature, change)),
   }));

@@ -11,6 +11,7 @@
  * @property {number} body index
  * @property {number | null} feature index in the queue of the body; null of outlines and holes
  */
+import { withConditions } from "./conditions.js";
 import { countOf, directionAt, FAR, handleCount, isClamped, isClosed, isReach, kept, keptPoint } from "../shapes/geometry.js";
 
 /** Limits of the format. */
@@ -291,15 +292,16 @@ export function usesOf({ bodies }, name) {
 }
 
 /**
- * Names that some body or feature has for a shape.
+ * Names that some body, feature or blend has for a shape.
  * @param {WholePart} document
  * @returns {Set<string>}
  */
 export function usedNames({ bodies }) {
   return new Set(
-    bodies.flatMap(({ outline, holes = [], features = [] }) => [
+    bodies.flatMap(({ outline, holes = [], features = [], blend }) => [
       outline,
       ...holes,
+      ...(blend?.boundaries ?? []).map(({ on }) => on),
       ...features.flatMap((feature) => referencesOf(feature).flatMap((each) => (typeof each === "string" ? [each] : (each.except ?? [])))),
     ]),
   );
@@ -348,7 +350,8 @@ export function whyNotName(document, from, to) {
 export function renameShape(document, from, to) {
   if (from === to || !shapeOf(document, from) || whyNotName(document, from, to)) return document;
   const rename = (/** @type {string} */ name) => (name === from ? to : name);
-  const bodies = mapped(document.bodies, (body) => {
+  const bodies = mapped(document.bodies, (before) => {
+    const body = withConditions(before, (boundary) => (boundary.on === from ? { ...boundary, on: to } : boundary));
     const holes = body.holes && mapped(body.holes, rename);
     const features = body.features && mapped(body.features, (feature) => {
       const { reference, references } = feature;
@@ -368,7 +371,7 @@ export function renameShape(document, from, to) {
 }
 
 /**
- * Takes a shape away, with its name among holes and in what boundaries leave out. Features and outlines keep the name of what is gone, which the kernel says of
+ * Takes a shape away, with its name among holes, in what boundaries leave out and in blends. Features and outlines keep the name of what is gone, which the kernel says of
  * them, and get it back with undo or with another shape of that name; `withUses` takes them away as well: features measured to it, bodies with that outline,
  * and features measured to the boundary of such a body.
  * @param {WholePart} document
@@ -387,7 +390,8 @@ export function deleteShape(document, name, { withUses = false } = {}) {
       : reference;
   const bodies = document.bodies
     .filter((body) => !gone.includes(body.name))
-    .map((body) => {
+    .map((before) => {
+      const body = withConditions(before, (boundary) => (boundary.on === name && before.outline !== name ? null : boundary));
       const holes = body.holes?.filter((hole) => hole !== name);
       const features = body.features
         ?.filter((feature) => !withUses || !referencesOf(feature).some(isGone))

@@ -1,5 +1,5 @@
 /**
- * The groups of a body and of the document: how features share where they overlap, the default of the body, the design rules, and the materials.
+ * The groups of a body and of the document: how features share where they overlap, the default of the body and its blend, the design rules, and the materials.
  *
  * @import { Group } from "../../inspector/group.js"
  * @import { Bench } from "../state.js"
@@ -10,6 +10,7 @@ import { mixingControl } from "../../controls/mixing.js";
 import { row } from "../../controls/row.js";
 import { h, write } from "../../dom.js";
 import { percent } from "../../format.js";
+import { blendGroup } from "../blend/group.js";
 import { setDefault, setRule } from "../edits/bodies.js";
 import { defaultOf, queueOf } from "../edits/features.js";
 import { isUsed, materialsOf } from "../edits/materials.js";
@@ -20,7 +21,7 @@ import { words } from "./words.js";
 const RULES = /** @type {const} */ (["repaired", "depth", "printed"]);
 
 /** @param {Bench} bench @returns {Group[]} */
-export const createRuleGroups = (bench) => [overlapGroup(bench), defaultGroup(bench), designGroup(bench), materialsGroup(bench)];
+export const createRuleGroups = (bench) => [overlapGroup(bench), defaultGroup(bench), blendGroup(bench), designGroup(bench), materialsGroup(bench)];
 
 /** The body that the groups are about: the chosen one, else the first. @param {Bench} bench */
 function bodyOf(bench) {

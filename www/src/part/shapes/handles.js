@@ -58,7 +58,7 @@ export function createHandles(bench, state) {
           view,
           size,
           role: role(name),
-          lit: lit.has(name),
+          lit: lit.has(name) || name === shown.lit,
           chosen,
           hovered: !hidden && name === hovered,
           point: chosen ? shown.point : null,
@@ -99,7 +99,7 @@ export function createHandles(bench, state) {
  * @property {View} view
  * @property {Size} size
  * @property {"boundary" | "reference" | "unused"} role
- * @property {boolean} lit whether the chosen feature is measured to it
+ * @property {boolean} lit whether the chosen feature is measured to it, or what is said of it is looked at
  * @property {boolean} chosen
  * @property {boolean} hovered
  * @property {number | null} point the chosen one

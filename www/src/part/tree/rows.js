@@ -42,9 +42,13 @@ export function rowsOf(document, opened, diagnostics) {
     const key = `body ${body}`;
     const isOpen = opened.get(key) ?? true;
     const of = diagnostics.filter((each) => each.body === body);
-    rows.push({ ...base, key, kind: "body", level: 1, body, name: spec.name, mark: "body", isOpen, fault: of.find((each) => each.feature === undefined) ?? null });
+    // Of a closed body its row says what is wrong with the blend as well.
+    const isBlended = (/** @type {PartDiagnostic} */ { path }) => path.includes(".blend");
+    const fault = of.find((each) => each.feature === undefined && !(isOpen && isBlended(each))) ?? null;
+    rows.push({ ...base, key, kind: "body", level: 1, body, name: spec.name, mark: "body", isOpen, fault });
     if (!isOpen) continue;
-    rows.push({ ...base, key: `default ${body}`, kind: "default", level: 2, body, name: words.standard, mark: "standard", mix: spec.default ?? [] });
+    const interior = spec.blend ? { name: words.blend, mark: "blend", fault: of.find(isBlended) ?? null } : { name: words.standard, mark: "standard", mix: spec.default ?? [] };
+    rows.push({ ...base, key: `default ${body}`, kind: "default", level: 2, body, ...interior });
     for (const [feature, { name = words.unnamed, hidden = false, ...rest }] of queueOf(spec).entries()) {
       const fault = of.find((each) => each.feature === feature) ?? null;
       rows.push({ ...base, key: `feature ${body}.${feature}`, kind: "feature", level: 2, body, feature, name, mark: "feature", mix: mixesOf(rest)[0] ?? [], hidden, fault });

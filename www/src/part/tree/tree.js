@@ -259,7 +259,7 @@ export function createTree(bench) {
     const mix = (row.mix ?? []).flatMap((fraction, k) => (fraction > 0 && colors[k] ? [fraction === 1 ? colors[k].name : `${colors[k].name} ${percent(fraction)}`] : [])).join(", ");
     const base = {
       body: () => words.row.body(row.name),
-      default: () => words.row.standard(doc.bodies[row.body].name, mix),
+      default: () => (row.mark === "blend" ? words.row.blend(doc.bodies[row.body].name) : words.row.standard(doc.bodies[row.body].name, mix)),
       feature: () => words.row.feature(row.name, row.feature + 1, doc.bodies[row.body].features?.length ?? 0, mix),
       shapes: () => words.row.shapes(Number(row.aside)),
       shape: () => words.row.shape(row.name, words.kinds[row.mark] ?? ""),
@@ -287,7 +287,7 @@ export function createTree(bench) {
     if (kind === "body") element.dataset.partBody = String(first.body);
     if (kind === "default") element.dataset.partDefault = String(first.body);
     if (kind === "shape") element.dataset.treeShape = first.name;
-    let drawn = "";
+    let drawn = first.mark;
     let eyed = "";
     let isOver = true;
 
@@ -325,7 +325,7 @@ export function createTree(bench) {
         name.hidden = isNaming;
         field.hidden = !isNaming;
         attribute(field, "aria-label", words.rename(row.name));
-        if (row.kind === "shape" && drawn !== row.mark) {
+        if (drawn !== row.mark) {
           drawn = row.mark;
           sign.replaceChildren(mark(row.mark));
         }

@@ -9,6 +9,7 @@ export const words = {
   help: "Arrows go through the list; F2 renames, Delete takes away, Alt and an arrow moves, Shift F10 opens the menu.",
   add: "Add",
   standard: "Default",
+  blend: "Blend",
   shapes: "Shapes",
   unnamed: "Feature",
   unused: "unused",
@@ -21,6 +22,7 @@ export const words = {
   row: {
     body: (/** @type {string} */ name) => `Body ${name}`,
     standard: (/** @type {string} */ body, /** @type {string} */ mix) => `Default of ${body}, ${mix}`,
+    blend: (/** @type {string} */ body) => `Blend of ${body}, from its boundary`,
     feature: (/** @type {string} */ name, /** @type {number} */ place, /** @type {number} */ count, /** @type {string} */ mix) => `${name}, ${place} of ${count} in the queue, ${mix}`,
     shape: (/** @type {string} */ name, /** @type {string} */ kind) => (name.toLowerCase().includes(kind) ? name : `${name}, ${kind}`),
     shapes: (/** @type {number} */ count) => `Shapes, ${count}`,
@@ -42,7 +44,7 @@ export const words = {
     full: (/** @type {number} */ limit) => `A body has ${limit} features at most`,
     noBody: "There is no body yet",
     onlyBody: "The last body stays",
-    measured: (/** @type {readonly string[]} */ names) => `${names.join(", ")} of another body ${names.length === 1 ? "is" : "are"} measured to it`,
+    measured: (/** @type {readonly string[]} */ names) => `${names.join(", ")} ${names.length === 1 ? "is" : "are"} measured to it or blended from it`,
     inUse: (/** @type {number} */ count) => (count === 1 ? "In use in 1 place, which goes with it" : `In use in ${count} places, which go with it`),
   },
   spoken: {

@@ -1,0 +1,303 @@
+/**
+ * What a figure of a boundary value problem shows: in space its boundary, cut by the plane of the document, with the solution on it; in the plane the whole
+ * of it. It is to the element what the scene of curves is, see ../scene.js.
+ *
+ * @import { Control, LaplaceBoundary, LaplaceDocument, RemoteLaplaceSolution } from "../../directrix.js"
+ * @import { FigureResult } from "../../element.js"
+ * @import { Camera, Frame } from "../../space/camera.js"
+ * @import { Cut, Shape } from "../body/picture.js"
+ * @import { Kernel } from "../kernel.js"
+ * @import { Size } from "../plane.js"
+ * @import { Host } from "../scene.js"
+ */
+import { DirectrixError } from "../../errors.js";
+import { remoteLaplace } from "../../remote-laplace.js";
+import { fitted, STANDARD } from "../../space/camera.js";
+import { cornersOf } from "../../space/vector.js";
+import { createOrbit } from "../body/orbit.js";
+import { paint } from "../body/picture.js";
+import { h } from "../dom.js";
+import { Incoming } from "../incoming.js";
+import { isWhole, Lane } from "../kernel.js";
+import { NO_MATCHING } from "../no-matching.js";
+import { faceOf, planeOf, shapeOf } from "./picture.js";
+import { problemSheetOf } from "./style.js";
+import { words } from "./words.js";
+
+/** Pixels of the solution along the longer side, of small problems and of large ones, and how many elements make one large. */
+const PIXELS = { small: 176, large: 96 };
+const LARGE = 4000;
+/** Milliseconds after a turn by keys until the picture is fine again. */
+const IDLE = 250;
+/** What a document names when it has no materials, as in docs/format.md. */
+const MATERIALS = [{ color: "#f0e442" }, { color: "#009e73" }];
+/** Where a problem in the plane is seen from: above, with x to the right. */
+const ABOVE = { azimuth: -90, elevation: 90 };
+
+export class ProblemScene {
+  /** @type {Kernel["runsIn"] | null} */
+  runsIn = null;
+  /** @type {LaplaceDocument | null} */
+  document = null;
+  /** @type {FigureResult | null} */
+  result = null;
+  /** @type {Size} */
+  size = { width: 0, height: 0 };
+  /** @type {"light" | "dark"} */
+  theme = "light";
+  hasLayers = false;
+
+  // What only curves have, or bodies.
+  s = 0;
+  stages = 0;
+  slider = "";
+  spoken = "";
+  steps = null;
+  layers = null;
+  /** @type {import("../../directrix.js").LayerName[]} */
+  shownLayers = [];
+  view = /** @type {import("../../directrix.js").View} */ ({ center: [0, 0], scale: 1 });
+  hasHandles = false;
+  growsSteps = false;
+
+  #host;
+  #rested;
+  #lane;
+  #orbit;
+  #kind = h("div", { class: "key" });
+  /** @type {Incoming<LaplaceDocument>} */
+  #incoming;
+  /** @type {{ shape: Shape, cut: Cut | null, isFlat: boolean } | null} */
+  #known = null;
+  /** @type {Camera} */
+  #camera = { ...STANDARD.iso, target: [0, 0, 0], distance: 1 };
+  #fitted = 1;
+  /** Whether the camera stands where it was fitted, and so follows the size. */
+  #follows = true;
+  #frame = 0;
+  #isFine = true;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #idle;
+
+  /**
+   * @param {Host} host
+   * @param {{ say: (text: string) => void, rested: () => void }} more `rested`: the camera has come to rest elsewhere
+   */
+  constructor(host, { say, rested }) {
+    this.#host = host;
+    this.#rested = rested;
+    this.#incoming = new Incoming((error) => host.onproblem("document", error));
+    this.#lane = new Lane({
+      work: (kernel, signal) => this.#turn(kernel, signal),
+      failed: (error) => host.onproblem("kernel", error),
+      urgency: host.urgency,
+    });
+    this.#orbit = createOrbit({
+      camera: () => this.#camera,
+      frame: () => this.#seenThrough,
+      fitted: () => this.#fitted,
+      turn: (camera, isDrag) => this.#put(camera, isDrag),
+      fit: (view) => this.#fit(view && STANDARD[view]),
+      rest: () => this.#rest(),
+      isFlat: () => this.#known?.isFlat === true,
+      say,
+    });
+    this.buttons = h("div", { class: "tools" }, this.#kind, this.#orbit.buttons);
+  }
+
+  get elements() {
+    return this.#orbit.elements;
+  }
+
+  /** @param {Document} owner */
+  sheet = (owner) => problemSheetOf(owner);
+
+  get state() {
+    return this.document;
+  }
+
+  /**
+   * Shows another problem once it is found to be one; until then the last one stays.
+   *
+   * @param {import("../../directrix.js").DocumentInput} given
+   * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
+   */
+  open(given) {
+    this.#incoming.take(given);
+    this.#lane.cancel();
+    this.#lane.push();
+  }
+
+  /** Problems are looked at here, not edited. */
+  edit() {}
+
+  /** @param {Size} size */
+  resize(size) {
+    if (size.width === this.size.width && size.height === this.size.height) return;
+    this.size = size;
+    if (this.#known && this.#follows) this.#fit();
+    this.#repaint();
+  }
+
+  /** Brings the picture up with everything that it depends on. */
+  refresh() {
+    if (this.#incoming.waits) this.#lane.push();
+    else this.#repaint();
+  }
+
+  /** Gives up what is asked for. */
+  cancel() {
+    clearTimeout(this.#idle);
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#lane.cancel();
+  }
+
+  /**
+   * What a picture depends on besides the document.
+   *
+   * @param {number} ratio device pixels for one of CSS
+   * @param {"light" | "dark"} [theme]
+   */
+  options(ratio, theme = this.theme) {
+    return { ratio, theme, camera: this.#camera, size: this.size, layers: [] };
+  }
+
+  /**
+   * A picture apart from that of the screen.
+   *
+   * @param {HTMLCanvasElement} canvas
+   * @param {{ ratio: number, theme: "light" | "dark" }} options
+   */
+  async print(canvas, { ratio, theme }) {
+    if (this.#known) paint(canvas, this.#known.shape, this.#known.cut, { ...this.#look(ratio, theme), isFine: true });
+  }
+
+  /** @param {Kernel} kernel @param {AbortSignal} signal */
+  async #turn(kernel, signal) {
+    if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'boundary value problems are read by the module "full"');
+    this.runsIn = kernel.runsIn;
+    const control = { signal, onprogress: this.#host.onprogress };
+    if (this.#incoming.waits) await this.#install(kernel, control);
+    this.#host.onprogress(1);
+    this.#repaint();
+  }
+
+  /** @param {Kernel} kernel @param {Control} control */
+  #install(kernel, control) {
+    return this.#incoming.settle(control.signal, async (given, isStillWanted) => {
+      /** @type {LaplaceBoundary} */
+      const boundary = await kernel.call("boundary", [given.text], control);
+      const solution = boundary.ready ? await solved(kernel, boundary, control) : null;
+      const { materials = MATERIALS } = given.document;
+      const [plane, isFlat] = [boundary.dimension === 3 ? planeOf(given.document) : null, boundary.dimension === 2];
+      const pixels = boundary.elements.length / boundary.dimension > LARGE ? PIXELS.large : PIXELS.small;
+      const cut = solution && (isFlat || plane) ? await faceOf(solution, { boundary, materials, plane }, pixels, { signal: control.signal }) : null;
+      if (!isStillWanted()) return false;
+      this.document = given.document;
+      this.#known = { shape: shapeOf(boundary, materials), cut, isFlat };
+      this.result = resultOf(given.document, boundary, solution);
+      this.#kind.textContent = isFlat ? words.plane : cut ? words.section : words.space;
+      // A picture that is not turned has no hint that it could be.
+      this.#orbit.elements[2].hidden = isFlat;
+      this.#isFine = true;
+      this.#fit(STANDARD.iso);
+      this.#draw();
+      this.#host.onsolved("load");
+      return true;
+    });
+  }
+
+  /** @returns {Frame} */
+  get #seenThrough() {
+    return { size: { width: Math.max(1, this.size.width), height: Math.max(1, this.size.height) }, top: 0, bottom: 0 };
+  }
+
+  /** @param {Pick<Camera, "azimuth" | "elevation">} [direction] */
+  #fit(direction = this.#camera) {
+    if (!this.#known) return;
+    this.#camera = fitted(this.#known.isFlat ? ABOVE : direction, this.#seenThrough, cornersOf(this.#known.shape.bounds));
+    this.#fitted = this.#camera.distance;
+    this.#follows = true;
+    this.#repaint();
+    this.#rested();
+  }
+
+  /** @param {Camera} camera @param {boolean} isDrag */
+  #put(camera, isDrag) {
+    // The plane is moved and brought nearer, never turned.
+    this.#camera = this.#known?.isFlat ? { ...camera, ...ABOVE } : camera;
+    this.#follows = false;
+    this.#isFine = false;
+    this.#repaint();
+    if (isDrag) return;
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => this.#rest(), IDLE);
+  }
+
+  #rest() {
+    clearTimeout(this.#idle);
+    this.#isFine = true;
+    this.#repaint();
+    this.#rested();
+  }
+
+  /** Paints before the next frame of the screen. */
+  #repaint() {
+    if (this.#frame === 0 && this.#known) this.#frame = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    if (!this.#known || this.size.width < 1 || this.size.height < 1) return;
+    paint(this.#host.canvas, this.#known.shape, this.#known.cut, this.#look(globalThis.devicePixelRatio || 1, this.theme));
+    this.#host.onpaint();
+  }
+
+  /** @param {number} ratio @param {"light" | "dark"} theme */
+  #look(ratio, theme) {
+    return { camera: this.#camera, frame: this.#seenThrough, ratio, theme, isFine: this.#isFine };
+  }
+}
+
+/**
+ * The solution of a problem, wherever the kernel runs.
+ *
+ * @param {Kernel} kernel
+ * @param {LaplaceBoundary} boundary
+ * @param {Control} control
+ * @returns {Promise<RemoteLaplaceSolution>}
+ */
+function solved(kernel, { dimension, vertices, elements, groups, conditions, composition, solver }, control) {
+  const input = { dimension, vertices, elements, groups, conditions, composition, solver };
+  if (kernel.runsIn !== "main thread") return kernel.call("solveLaplace", [input], control);
+  return remoteLaplace((args) => kernel.call("solveLaplace", args.slice(0, 2), args[2]), input, control);
+}
+
+/**
+ * What a problem is worth, in numbers and in words.
+ *
+ * @param {LaplaceDocument} document
+ * @param {LaplaceBoundary} boundary
+ * @param {RemoteLaplaceSolution | null} solution
+ * @returns {FigureResult}
+ */
+export function resultOf({ title = "", section }, { dimension, elements, diagnostics }, solution) {
+  const faults = diagnostics.filter(({ remark }) => !remark);
+  const ok = solution?.converged === true;
+  const iterations = solution ? Math.max(...solution.iterations) : 0;
+  const facts = [
+    dimension === 2 ? words.plane : section ? words.section : words.space,
+    words.elements(elements.length / dimension, dimension),
+    ...(solution ? [ok ? words.solved : words.notConverged, words.iterations(iterations)] : faults.slice(0, 1).map(({ message }) => message)),
+  ];
+  return {
+    ...NO_MATCHING,
+    diagnostics: [...new Set(diagnostics.map(({ code }) => code))],
+    ok,
+    verified: ok,
+    text: words.named(title, facts),
+    brief: facts.slice(1).join(", "),
+  };
+}

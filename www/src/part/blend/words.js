@@ -1,0 +1,51 @@
+/** What a person reads in the group of the blend of a body. */
+
+export const words = {
+  heading: "Blend",
+  interior: "Interior",
+  kinds: /** @type {const} */ ({ none: "Default", laplace: "Laplace" }),
+  phrase: { none: "none", laplace: (/** @type {number} */ count) => (count === 1 ? "Laplace, 1 boundary" : `Laplace, ${count} boundaries`) },
+  about: {
+    none: (/** @type {string} */ body) => `The interior of ${body} has its default. A blend spreads what its boundary has, as heat would.`,
+    laplace: (/** @type {string} */ body) => `The boundary of ${body} spreads inwards as heat would. Features lie on top.`,
+    printed: "The rule as printed takes no blend. Choose another rule.",
+    full: (/** @type {number} */ most) => `A part has ${most} blends at most.`,
+  },
+  list: "Pieces of the boundary",
+  /** Stands between the name of a piece and what it has, for those who hear it. */
+  role: (/** @type {string} */ role) => `, ${role}, `,
+  roles: { outline: "outline", hole: "hole", piece: "piece of the boundary" },
+  condition: "Has",
+  conditions: /** @type {const} */ ({ value: "Composition", flux: "Gradient", insulated: "Insulated", body: "That of a body", feature: "That of a feature" }),
+  short: {
+    insulated: "insulated",
+    flux: "gradient",
+    body: (/** @type {string} */ name) => `from ${name}`,
+    feature: (/** @type {string} */ name) => `from ${name}`,
+    mixture: "mixture",
+  },
+  means: {
+    insulated: "Nothing flows across: the composition is level towards this boundary.",
+    flux: (/** @type {string} */ unit) => `How each fraction rises outwards${unit ? ` per ${unit}` : ""}. The last one makes the sum 0.`,
+    body: "The composition that the body has along this boundary.",
+    feature: "The profile of the feature by the distance of this boundary. The feature may be hidden.",
+  },
+  slope: (/** @type {string} */ material) => `Gradient of ${material}`,
+  from: "From",
+  within: "Within",
+  withinLabel: "Greatest distance of the boundary from the shape",
+  remove: "Remove piece",
+  add: "Add piece",
+  addLine: "What of the boundary lies on a shape has a condition of its own",
+  noPiece: "Draw a shape along the boundary first",
+  elements: "Elements",
+  elementsLabel: "Elements of the boundary, about",
+  found: (/** @type {string} */ count) => `${count} elements, one matrix for all materials.`,
+  spoken: {
+    on: (/** @type {string} */ body) => `${body} is blended from its boundary`,
+    off: (/** @type {string} */ body) => `${body} has its default`,
+    added: (/** @type {string} */ name) => `${name} is a piece of the boundary`,
+    removed: (/** @type {string} */ name) => `${name} removed`,
+    has: (/** @type {string} */ name, /** @type {string} */ condition) => `${name}: ${condition}`,
+  },
+};
