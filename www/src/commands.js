@@ -23,7 +23,7 @@ import { fit, zoomBy } from "./stage/zoom.js";
 import { curveName } from "./state/app.js";
 import { canRemovePoints } from "./state/edits.js";
 import { hasSpace } from "./state/in-space.js";
-import { isHarmonic } from "./state/look.js";
+import { isHarmonic, lookedAt } from "./state/look.js";
 import { isWhole } from "./state/selection.js";
 
 const words = strings.commands;
@@ -371,7 +371,7 @@ export function commandItems(app, names) {
 /** Corners that the result found on a curve. @param {App} app @param {number} curve */
 export function cornersOf(app, curve) {
   const { match, matched } = app.results.value;
-  if (!match || matched !== app.store.document) return 0;
+  if (!match || matched !== lookedAt(app)) return 0;
   return match.diagnostics.filter((each) => each.code === "corner" && each.curve === curve).length;
 }
 

@@ -29,9 +29,14 @@ export function createHandles(surface, { change, done, say }) {
 
   /** Curve and point of a button. @param {number} index */
   function pointOf(index) {
-    const [inner] = now?.document.curves ?? [];
-    const first = inner ? handleCount(inner) : 0;
-    return index < first ? { curve: 0, point: index } : { curve: 1, point: index - first };
+    let [curve, point] = [0, index];
+    for (const each of now?.document.curves ?? []) {
+      const count = handleCount(each);
+      if (point < count) break;
+      point -= count;
+      curve += 1;
+    }
+    return { curve, point };
   }
 
   /** @param {number} index @param {Point} to */

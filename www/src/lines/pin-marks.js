@@ -13,6 +13,7 @@ import { attribute, find, h, svg } from "../dom.js";
 import { fixed } from "../format.js";
 import { nearestParameter, placeOn } from "../spline.js";
 import { curveName, currentMatch } from "../state/app.js";
+import { isHarmonic, lookedAt } from "../state/look.js";
 import { toPlane, toScreen } from "../view.js";
 import { dropPin, pinLine, pinsOf, putPin } from "./pin-edits.js";
 import { domainOf, pinAt, pinOf } from "./pins.js";
@@ -169,7 +170,8 @@ export function createPinMarks(app) {
   function render() {
     const { mode, view, size, drawing: isDrawing, composing, line, pin: chosen } = app.ui.value;
     const { document } = app.store;
-    layer.hidden = mode !== "figure" || isDrawing || composing || !view || document.curves.length !== 2;
+    // A harmonic blend has no ruling lines to be pinned.
+    layer.hidden = isHarmonic(lookedAt(app)) || mode !== "figure" || isDrawing || composing || !view || document.curves.length !== 2;
     drawing.style.display = layer.hidden ? "none" : "";
     if (layer.hidden || !view) return;
     const match = currentMatch(app);

@@ -41,7 +41,8 @@ export function createCorners(app) {
       const { view, size } = app.ui.value;
       const { match } = app.results.value;
       // Corners stay in sight while a curve moves, at the places of the last result.
-      const corners = view ? cornersOf(match) : [];
+      // A harmonic blend needs no normals.
+      const corners = view && !match?.harmonic ? cornersOf(match) : [];
       while (marks.length < corners.length) {
         const ray = `M0 0V${-REACH}m-3.5 5 3.5-5 3.5 5`;
         const diamond = `M0 ${-HALF}L${HALF} 0 0 ${HALF} ${-HALF} 0Z`;
