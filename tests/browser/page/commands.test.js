@@ -42,7 +42,7 @@ onOnePage("commands", {
     }
     for (const [name, text] of rows) assert.ok(text && !/undefined|\[object/.test(text), `${name}: ${text}`);
     const headings = await panel.locator("h3").allTextContents();
-    assert.deepEqual(headings.slice(-6), ["Steps", "Compare", "Solid", "Hyperpatch", "Part", "Lessons"], "keys of the other modes");
+    assert.deepEqual(headings.slice(-7), ["Steps", "Compare", "Solid", "Hyperpatch", "Part", "Laplace", "Lessons"], "keys of the other modes");
     await page.keyboard.press("Escape");
     assert.equal(await panel.count(), 0);
     // The tooltips name the same keys.
