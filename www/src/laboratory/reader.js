@@ -68,6 +68,7 @@ export function createReader(bench) {
     card.replaceChildren(...content(bench, reading));
     placeCard(card, at, size);
   }
+  fill();
 
   return {
     nodes: [/** @type {any} */ (marks), card],
