@@ -33,6 +33,8 @@ fn preset(name: &str) -> Value {
 fn with(document: &Value, matching: Value) -> Value {
     let mut document = document.clone();
     document["matching"] = matching;
+    // A harmonic blend has no lines to be matched.
+    document["blend"]["kind"] = json!("ruled");
     document
 }
 
