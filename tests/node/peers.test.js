@@ -22,7 +22,10 @@ const listed = await read("index");
 /** @type {CurvesDocument[]} */
 const documents = await Promise.all(listed.map(({ id }) => read(id)));
 /** The others match pairs of closed outlines in the plane alone. @param {unknown} _ @param {number} k */
-const isClosed = (_, k) => documents[k].curves[0].form !== "open" && documents[k].curves.length === 2 && documents[k].curves[0].points[0].length === 2;
+const isClosed = (_, k) => {
+  const { curves, blend } = documents[k];
+  return curves[0].form !== "open" && curves.length === 2 && curves[0].points[0].length === 2 && blend?.kind !== "harmonic";
+};
 const [index, presets] = [listed.filter(isClosed), documents.filter(isClosed)];
 
 /** Titles of those with samples at corners. */
