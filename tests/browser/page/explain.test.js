@@ -73,9 +73,17 @@ onOnePage("explanations", {
   },
 
   "the alignment is told where it has a weight": async (page) => {
+    const values = async () => (await status(page)).replace(/[\d.]+\s*ms/, "");
+    const before = await values();
     await page.locator("[data-more] summary").click();
     await page.locator("input[data-field=alignmentWeight]").fill("1");
     await page.keyboard.press("Enter");
+    // What was read goes when other lines come, coarse ones first.
+    await eventually(async () => {
+      assert.notEqual(await values(), before);
+      assert.match(await values(), /Verified/);
+      assert.doesNotMatch(await values(), /refining/);
+    });
     await read(page);
     await page.keyboard.press("Enter");
     await eventually(async () => assert.match((await panel(page).textContent()) ?? "", /along the normals[01]\.\d{3}× [01]\.\d+/));

@@ -116,7 +116,7 @@ onOnePage("on a desk", {
     await page.setViewportSize({ width: 760, height: 800 });
     await drawn(page);
     const panel = page.locator("[data-action=panel]");
-    assert.ok(await field(page, "normalWeight").isHidden());
+    await eventually(async () => assert.ok(await field(page, "normalWeight").isHidden()));
     await panel.click();
     await eventually(async () => assert.ok(await field(page, "normalWeight").isVisible()));
     assert.equal(await panel.getAttribute("aria-expanded"), "true");
