@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 1e-3;
 const COARSE_TOLERANCE: f64 = 6e-3;
 const COARSE_SEGMENTS: usize = 80;
 /// Most segments of all curves together, about: beyond, a single level curve would take longer than a frame.
-const MOST_SEGMENTS: usize = 3200;
+const MOST_SEGMENTS: usize = 2400;
 
 /// The harmonic blend of a document.
 #[derive(Debug, Clone)]

@@ -16,7 +16,7 @@ const LATTICE: u32 = 1 << 18;
 /// Side of the squares at the start, in places.
 const START: u32 = LATTICE / 4;
 /// Most vertices inside.
-const MOST_INSIDE: usize = 16_000;
+const MOST_INSIDE: usize = 12_000;
 /// Side of a square on the boundary over the length of the segments there, and of others over their distance from it.
 const BESIDE: f64 = 2.5;
 const AWAY: f64 = 2.0;
