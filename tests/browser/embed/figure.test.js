@@ -355,7 +355,7 @@ test("a document at an address is shown, and attributes that change are followed
       element.removeAttribute("alt");
     });
     await eventually(async () => assert.match((await stateOf(page)).label ?? "", /^Petals/));
-    assert.ok(await figure.getByRole("link", { name: "Open in Directrix" }).isVisible());
+    await figure.getByRole("link", { name: "Open in Directrix" }).waitFor();
     assert.deepEqual(await audit(page), []);
   });
 });

@@ -42,6 +42,7 @@ import { colorsOf, grown, LEVELS, levelLines } from "../laboratory/pixels.js";
 import { Lane } from "../state/lane.js";
 import { circleOf, farthest, FOLLOWED, frameOf, inputOf, matrixOf, panelsOf, probes, stepsOf, withSteps } from "./laplace-known.js";
 import { readingOf } from "./laplace-reading.js";
+import { createPlaceHandle } from "./place-handle.js";
 import { words } from "./words-laplace.js";
 
 /** Room round the body, CSS pixels. */
@@ -50,8 +51,6 @@ const MARGIN = 24;
 const FINE = 360;
 const MOVING = 160;
 const IDLE = 200;
-/** CSS pixels of an arrow key. */
-const NUDGE = 4;
 /** Most panels whose middles are drawn. */
 const DRAWN = 128;
 /** Steps along a side for which errors are measured. */
@@ -79,9 +78,15 @@ export function createLaplaceFigure(app, host, figure) {
   const circleUnder = svg("path", { class: "laplace-circle-under" });
   const circle = svg("path", { class: "laplace-circle" });
   const over = svg("svg", { class: "lesson-laplace", "aria-hidden": "true" }, levels, boundary, chosen, ends, under, middles, circleUnder, circle);
-  const handle = h("button", { type: "button", class: "handle round chosen", "data-lesson": "place" });
+  const handle = createPlaceHandle({
+    placeOf: surface.placeOf,
+    at: () => place && known && toScreen(viewOf(known.solved), surface.size(), place),
+    put,
+    released: () => isMoving && rest(),
+    moved: () => place && app.say(words.moved(fixed(place[0], 2), fixed(place[1], 2))),
+  });
   surface.element.prepend(canvas, /** @type {any} */ (over));
-  surface.element.append(h("div", { class: "lesson-handles", hidden: figure.place === null }, handle));
+  surface.element.append(h("div", { class: "lesson-handles", hidden: figure.place === null }, handle.element));
 
   /** @type {LaplaceDocument | null} */
   let first = null;
@@ -291,11 +296,7 @@ export function createLaplaceFigure(app, host, figure) {
     attribute(middles, "d", dots);
     attribute(under, "d", dots);
     attribute(chosen, "d", hasRow && own[panel] ? line(own[panel]) : "");
-    if (place) {
-      const [x, y] = seen(place).map((each) => Math.round(each * surface.zoom));
-      handle.style.transform = `translate(${x}px, ${y}px)`;
-      attribute(handle, "aria-label", words.place(fixed(place[0], 2), fixed(place[1], 2)));
-    }
+    if (place) handle.show(surface.zoom, words.place(fixed(place[0], 2), fixed(place[1], 2)));
     const ring = place && figure.circle !== null ? round(seen(place), radius * view.scale) : "";
     attribute(circle, "d", ring);
     attribute(circleUnder, "d", ring);
@@ -354,27 +355,6 @@ export function createLaplaceFigure(app, host, figure) {
     for (const term of host.terms) if (all[term]) parts.set(term, all[term]());
     surface.name(parts);
   }
-
-  handle.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    event.preventDefault();
-    handle.focus({ preventScroll: true });
-    handle.setPointerCapture(event.pointerId);
-  });
-  handle.addEventListener("pointermove", (event) => {
-    if (handle.hasPointerCapture(event.pointerId)) put(surface.placeOf(event), true);
-  });
-  for (const type of /** @type {const} */ (["pointerup", "pointercancel"])) handle.addEventListener(type, () => isMoving && rest());
-  handle.addEventListener("keydown", (event) => {
-    const arrow = /** @type {{[key: string]: Point}} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] })[event.key];
-    if (!arrow || !place || !known || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const by = NUDGE * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-    const [x, y] = toScreen(viewOf(known.solved), surface.size(), place);
-    put([x + by * arrow[0], y + by * arrow[1]], false);
-    app.say(words.moved(fixed(place[0], 2), fixed(place[1], 2)));
-  });
 
   /** @param {Point} at on the screen @param {boolean} isDrag */
   function put(at, isDrag) {

@@ -30,6 +30,7 @@ import { fixed } from "../format.js";
 import { Lane } from "../state/lane.js";
 import { ruleChart, stackChart } from "./part-chart.js";
 import { COURSES, distanceOf, featureOf, materialOf, RULES, ruleRow, withFeature, withRule } from "./part-known.js";
+import { createPlaceHandle } from "./place-handle.js";
 import { words } from "./words-part.js";
 
 /** Room round the part, CSS pixels. */
@@ -40,8 +41,6 @@ const MOVING = 90_000;
 const IDLE = 200;
 /** Steps of the slider of a limit. */
 const STEPS = 100;
-/** CSS pixels of an arrow key. */
-const NUDGE = 4;
 
 /**
  * @param {App} app
@@ -58,8 +57,14 @@ export function createPartFigure(app, host, figure) {
   const chosen = svg("path", { class: "part-chosen" });
   const line = svg("path", { class: "part-line" });
   const over = svg("svg", { class: "lesson-part", "aria-hidden": "true" }, shapes, chosen, line);
-  const handle = h("button", { type: "button", class: "handle round chosen", "data-lesson": "place" });
-  const handles = h("div", { class: "lesson-handles", hidden: figure.place === null }, handle);
+  const handle = createPlaceHandle({
+    placeOf: surface.placeOf,
+    at: () => place && seen(place),
+    put,
+    released: () => isMoving && rest(),
+    moved: () => place && app.say(words.moved(fixed(place[0], 1), fixed(place[1], 1))),
+  });
+  const handles = h("div", { class: "lesson-handles", hidden: figure.place === null }, handle.element);
   surface.element.prepend(canvas, /** @type {any} */ (over));
   surface.element.append(handles);
 
@@ -201,11 +206,7 @@ export function createPartFigure(app, host, figure) {
     attribute(chosen, "d", own && typeof own.reference === "string" && (figure.limit || figure.reading) ? drawn(own.reference) : "");
     const ends = figure.line ? [seen([figure.line[0], figure.line[1]]), seen([figure.line[2], figure.line[3]])] : [];
     attribute(line, "d", ends.length > 0 ? `M${ends.map(written).join("L")}` : "");
-    if (place) {
-      const [x, y] = seen(place).map((each) => Math.round(each * surface.zoom));
-      handle.style.transform = `translate(${x}px, ${y}px)`;
-      attribute(handle, "aria-label", words.place(fixed(place[0], 1), fixed(place[1], 1)));
-    }
+    if (place) handle.show(surface.zoom, words.place(fixed(place[0], 1), fixed(place[1], 1)));
     name(ends);
   }
 
@@ -281,28 +282,6 @@ export function createPartFigure(app, host, figure) {
       reading.replaceChildren(ruleChart(now.rows, name, { length, here: here <= length ? here : null }), ruleTable(now.rows, name));
     }
   }
-
-  handle.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    event.preventDefault();
-    handle.focus({ preventScroll: true });
-    handle.setPointerCapture(event.pointerId);
-  });
-  handle.addEventListener("pointermove", (event) => {
-    if (!handle.hasPointerCapture(event.pointerId)) return;
-    put(surface.placeOf(event), true);
-  });
-  for (const type of /** @type {const} */ (["pointerup", "pointercancel"])) handle.addEventListener(type, () => isMoving && rest());
-  handle.addEventListener("keydown", (event) => {
-    const arrow = /** @type {{[key: string]: Point}} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] })[event.key];
-    if (!arrow || !place || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const by = NUDGE * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
-    const [x, y] = seen(place);
-    put([x + by * arrow[0], y + by * arrow[1]], false);
-    app.say(words.moved(fixed(place[0], 1), fixed(place[1], 1)));
-  });
 
   /** @param {Point} at on the screen @param {boolean} isDrag */
   function put(at, isDrag) {
