@@ -4,13 +4,12 @@
  *
  * @import { BodySummary, CellVerdict, Control, HyperpatchDocument, RemoteHyperpatch } from "../../directrix.js"
  * @import { FigureResult } from "../../element.js"
- * @import { Camera, Frame } from "../../space/camera.js"
  * @import { Kernel } from "../kernel.js"
  * @import { Size } from "../plane.js"
  * @import { Host } from "../scene.js"
  * @import { Cut, Shape } from "./picture.js"
  */
-import { fitted, STANDARD } from "../../space/camera.js";
+import { STANDARD } from "../../space/camera.js";
 import { cornersOf } from "../../space/vector.js";
 import { isControl } from "../../connect.js";
 import { DirectrixError } from "../../errors.js";
@@ -18,9 +17,9 @@ import { body as remoteBody } from "../../remote-body.js";
 import { Incoming } from "../incoming.js";
 import { isWhole, Lane } from "../kernel.js";
 import { fixed } from "../words.js";
-import { createOrbit } from "./orbit.js";
 import { cutOf, paint, shapeOf, within } from "./picture.js";
 import { bodyResult } from "./result.js";
+import { Standpoint } from "./standpoint.js";
 import { bodySheetOf } from "./style.js";
 import { words } from "./words.js";
 
@@ -34,8 +33,6 @@ const LEFT = 0.02;
 const INSIDE = 1e-6;
 /** Distance of the triangles from the boundary, as a share of the diagonal: less than a pixel. */
 const TOLERANCE = 1.5e-3;
-/** Milliseconds after a turn by keys until the picture is fine again. */
-const IDLE = 250;
 
 /** @typedef {{ verdicts: CellVerdict[], volume: number, summary: BodySummary | null }} Known */
 
@@ -65,10 +62,9 @@ export class BodyScene {
   growsSteps = false;
 
   #host;
-  #rested;
   #lane;
   #checks;
-  #orbit;
+  #standpoint;
   #s = 0;
   /** @type {Incoming<HyperpatchDocument>} */
   #incoming;
@@ -79,15 +75,6 @@ export class BodyScene {
   #cut = { s: 0, cut: null };
   /** @type {Known | null} */
   #known = null;
-  /** @type {Camera} */
-  #camera = { ...STANDARD.iso, target: [0, 0, 0], distance: 1 };
-  #fitted = 1;
-  /** Whether the camera stands where it was fitted, and so follows the size. */
-  #follows = true;
-  #frame = 0;
-  #isFine = true;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #idle;
 
   /**
    * @param {Host} host
@@ -95,7 +82,6 @@ export class BodyScene {
    */
   constructor(host, { say, rested }) {
     this.#host = host;
-    this.#rested = rested;
     this.#incoming = new Incoming((error) => host.onproblem("document", error));
     this.#lane = new Lane({
       work: (kernel, signal) => this.#turn(kernel, signal),
@@ -107,23 +93,21 @@ export class BodyScene {
       failed: (error) => host.onproblem("kernel", error),
       urgency: () => 2,
     });
-    this.#orbit = createOrbit({
-      camera: () => this.#camera,
-      frame: () => this.#seenThrough,
-      fitted: () => this.#fitted,
-      turn: (camera, isDrag) => this.#put(camera, isDrag),
-      fit: (view) => this.#fit(view && STANDARD[view]),
-      rest: () => this.#rest(),
+    this.#standpoint = new Standpoint({
+      corners: () => this.#shape && cornersOf(this.#shape.bounds),
+      size: () => this.size,
+      draw: () => this.#draw(),
+      rested,
       say,
     });
   }
 
   get elements() {
-    return this.#orbit.elements;
+    return this.#standpoint.orbit.elements;
   }
 
   get buttons() {
-    return this.#orbit.buttons;
+    return this.#standpoint.orbit.buttons;
   }
 
   /** @param {Document} owner */
@@ -135,7 +119,7 @@ export class BodyScene {
 
   set s(s) {
     this.#s = s;
-    this.#isFine = false;
+    this.#standpoint.isFine = false;
     this.refresh();
   }
 
@@ -168,8 +152,7 @@ export class BodyScene {
   resize(size) {
     if (size.width === this.size.width && size.height === this.size.height) return;
     this.size = size;
-    if (this.#shape && this.#follows) this.#fit();
-    this.#repaint();
+    this.#standpoint.resize();
   }
 
   /** Brings the picture up with everything that it depends on. */
@@ -177,14 +160,12 @@ export class BodyScene {
     // Checks that were given up when the figure was taken from its page.
     if (this.#known && !this.#known.summary) this.#checks.push();
     if (this.#incoming.waits || (this.#shape && this.#cut.s !== this.#s)) this.#lane.push();
-    else this.#repaint();
+    else this.#standpoint.repaint();
   }
 
   /** Gives up what is asked for. */
   cancel() {
-    clearTimeout(this.#idle);
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#standpoint.cancel();
     this.#lane.cancel();
     this.#checks.cancel();
   }
@@ -196,7 +177,7 @@ export class BodyScene {
    * @param {"light" | "dark"} [theme]
    */
   options(ratio, theme = this.theme) {
-    return { ratio, theme, camera: this.#camera, size: this.size, s: this.#cut.s, layers: [] };
+    return { ratio, theme, camera: this.#standpoint.camera, size: this.size, s: this.#cut.s, layers: [] };
   }
 
   /**
@@ -217,8 +198,8 @@ export class BodyScene {
     if (this.#incoming.waits) await this.#install(kernel, control);
     else if (this.document && this.#cut.s !== this.#s) this.#cut = await this.#section(kernel, control, this.#s);
     this.#host.onprogress(1);
-    this.#repaint();
-    this.#settleLater();
+    this.#standpoint.repaint();
+    this.#standpoint.settleLater();
   }
 
   /** @param {Kernel} kernel @param {Control} control */
@@ -235,9 +216,9 @@ export class BodyScene {
       this.#shape = shapeOf(surface);
       this.#s = 0;
       this.#cut = { s: 0, cut: null };
-      this.#isFine = true;
-      this.#fit(STANDARD.iso);
-      this.#draw();
+      this.#standpoint.isFine = true;
+      this.#standpoint.fit(STANDARD.iso);
+      this.#standpoint.paint();
       this.#host.onsolved("load");
       this.#checks.push();
       return true;
@@ -254,7 +235,7 @@ export class BodyScene {
     if (known !== this.#known) return;
     this.#known = { ...known, verdicts, summary };
     this.result = bodyResult(verdicts, known.volume, summary);
-    this.#repaint();
+    this.#standpoint.repaint();
     this.#host.onsolved("edit");
   }
 
@@ -280,51 +261,8 @@ export class BodyScene {
     return { normal: [0, 1, 0], offset: min[1] + Math.min(s, 1 - LEFT) * (max[1] - min[1]) };
   }
 
-  /** @returns {Frame} */
-  get #seenThrough() {
-    return { size: { width: Math.max(1, this.size.width), height: Math.max(1, this.size.height) }, top: 0, bottom: 0 };
-  }
-
-  /** @param {Pick<Camera, "azimuth" | "elevation">} [direction] */
-  #fit(direction = this.#camera) {
-    if (!this.#shape) return;
-    this.#camera = fitted(direction, this.#seenThrough, cornersOf(this.#shape.bounds));
-    this.#fitted = this.#camera.distance;
-    this.#follows = true;
-    this.#repaint();
-    this.#rested();
-  }
-
-  /** @param {Camera} camera @param {boolean} isDrag */
-  #put(camera, isDrag) {
-    this.#camera = camera;
-    this.#follows = false;
-    this.#isFine = false;
-    this.#repaint();
-    if (!isDrag) this.#settleLater();
-  }
-
-  #settleLater() {
-    clearTimeout(this.#idle);
-    if (!this.#isFine) this.#idle = setTimeout(() => this.#rest(), IDLE);
-  }
-
-  #rest() {
-    clearTimeout(this.#idle);
-    this.#isFine = true;
-    this.#repaint();
-    this.#rested();
-  }
-
-  /** Paints before the next frame of the screen. */
-  #repaint() {
-    if (this.#frame === 0 && this.#shape) this.#frame = requestAnimationFrame(() => this.#draw());
-  }
-
   #draw() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    if (!this.#shape || this.size.width < 1 || this.size.height < 1) return;
+    if (!this.#shape) return;
     paint(this.#host.canvas, this.#shape, this.#cut.cut, this.#look(globalThis.devicePixelRatio || 1, this.theme));
     this.#host.onpaint();
   }
@@ -333,7 +271,7 @@ export class BodyScene {
   #look(ratio, theme) {
     const folds = this.#known?.verdicts.flatMap(({ witness }) => (witness ? [witness.point] : [])) ?? [];
     const overlaps = this.#known?.summary?.pairs.flatMap(({ point }) => (point ? [point] : [])) ?? [];
-    return { camera: this.#camera, frame: this.#seenThrough, ratio, theme, isFine: this.#isFine, witnesses: [...folds, ...overlaps] };
+    return { ...this.#standpoint.look(ratio, theme), witnesses: [...folds, ...overlaps] };
   }
 }
 

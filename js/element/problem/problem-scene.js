@@ -4,7 +4,6 @@
  *
  * @import { Control, LaplaceBoundary, LaplaceDocument, RemoteLaplaceSolution } from "../../directrix.js"
  * @import { FigureResult } from "../../element.js"
- * @import { Camera, Frame } from "../../space/camera.js"
  * @import { Cut, Shape } from "../body/picture.js"
  * @import { Kernel } from "../kernel.js"
  * @import { Size } from "../plane.js"
@@ -12,10 +11,10 @@
  */
 import { DirectrixError } from "../../errors.js";
 import { remoteLaplace } from "../../remote-laplace.js";
-import { fitted, STANDARD } from "../../space/camera.js";
+import { STANDARD } from "../../space/camera.js";
 import { cornersOf } from "../../space/vector.js";
-import { createOrbit } from "../body/orbit.js";
 import { paint } from "../body/picture.js";
+import { Standpoint } from "../body/standpoint.js";
 import { h } from "../dom.js";
 import { Incoming } from "../incoming.js";
 import { isWhole, Lane } from "../kernel.js";
@@ -27,12 +26,8 @@ import { words } from "./words.js";
 /** Pixels of the solution along the longer side, of small problems and of large ones, and how many elements make one large. */
 const PIXELS = { small: 176, large: 96 };
 const LARGE = 4000;
-/** Milliseconds after a turn by keys until the picture is fine again. */
-const IDLE = 250;
 /** What a document names when it has no materials, as in docs/format.md. */
 const MATERIALS = [{ color: "#f0e442" }, { color: "#009e73" }];
-/** Where a problem in the plane is seen from: above, with x to the right. */
-const ABOVE = { azimuth: -90, elevation: 90 };
 
 export class ProblemScene {
   /** @type {Kernel["runsIn"] | null} */
@@ -61,23 +56,13 @@ export class ProblemScene {
   growsSteps = false;
 
   #host;
-  #rested;
   #lane;
-  #orbit;
+  #standpoint;
   #kind = h("div", { class: "key" });
   /** @type {Incoming<LaplaceDocument>} */
   #incoming;
   /** @type {{ shape: Shape, cut: Cut | null, isFlat: boolean } | null} */
   #known = null;
-  /** @type {Camera} */
-  #camera = { ...STANDARD.iso, target: [0, 0, 0], distance: 1 };
-  #fitted = 1;
-  /** Whether the camera stands where it was fitted, and so follows the size. */
-  #follows = true;
-  #frame = 0;
-  #isFine = true;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #idle;
 
   /**
    * @param {Host} host
@@ -85,28 +70,25 @@ export class ProblemScene {
    */
   constructor(host, { say, rested }) {
     this.#host = host;
-    this.#rested = rested;
     this.#incoming = new Incoming((error) => host.onproblem("document", error));
     this.#lane = new Lane({
       work: (kernel, signal) => this.#turn(kernel, signal),
       failed: (error) => host.onproblem("kernel", error),
       urgency: host.urgency,
     });
-    this.#orbit = createOrbit({
-      camera: () => this.#camera,
-      frame: () => this.#seenThrough,
-      fitted: () => this.#fitted,
-      turn: (camera, isDrag) => this.#put(camera, isDrag),
-      fit: (view) => this.#fit(view && STANDARD[view]),
-      rest: () => this.#rest(),
+    this.#standpoint = new Standpoint({
+      corners: () => this.#known && cornersOf(this.#known.shape.bounds),
       isFlat: () => this.#known?.isFlat === true,
+      size: () => this.size,
+      draw: () => this.#draw(),
+      rested,
       say,
     });
-    this.buttons = h("div", { class: "tools" }, this.#kind, this.#orbit.buttons);
+    this.buttons = h("div", { class: "tools" }, this.#kind, this.#standpoint.orbit.buttons);
   }
 
   get elements() {
-    return this.#orbit.elements;
+    return this.#standpoint.orbit.elements;
   }
 
   /** @param {Document} owner */
@@ -135,21 +117,18 @@ export class ProblemScene {
   resize(size) {
     if (size.width === this.size.width && size.height === this.size.height) return;
     this.size = size;
-    if (this.#known && this.#follows) this.#fit();
-    this.#repaint();
+    this.#standpoint.resize();
   }
 
   /** Brings the picture up with everything that it depends on. */
   refresh() {
     if (this.#incoming.waits) this.#lane.push();
-    else this.#repaint();
+    else this.#standpoint.repaint();
   }
 
   /** Gives up what is asked for. */
   cancel() {
-    clearTimeout(this.#idle);
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#standpoint.cancel();
     this.#lane.cancel();
   }
 
@@ -160,7 +139,7 @@ export class ProblemScene {
    * @param {"light" | "dark"} [theme]
    */
   options(ratio, theme = this.theme) {
-    return { ratio, theme, camera: this.#camera, size: this.size, layers: [] };
+    return { ratio, theme, camera: this.#standpoint.camera, size: this.size, layers: [] };
   }
 
   /**
@@ -170,7 +149,7 @@ export class ProblemScene {
    * @param {{ ratio: number, theme: "light" | "dark" }} options
    */
   async print(canvas, { ratio, theme }) {
-    if (this.#known) paint(canvas, this.#known.shape, this.#known.cut, { ...this.#look(ratio, theme), isFine: true });
+    if (this.#known) paint(canvas, this.#known.shape, this.#known.cut, { ...this.#standpoint.look(ratio, theme), isFine: true });
   }
 
   /** @param {Kernel} kernel @param {AbortSignal} signal */
@@ -180,7 +159,7 @@ export class ProblemScene {
     const control = { signal, onprogress: this.#host.onprogress };
     if (this.#incoming.waits) await this.#install(kernel, control);
     this.#host.onprogress(1);
-    this.#repaint();
+    this.#standpoint.repaint();
   }
 
   /** @param {Kernel} kernel @param {Control} control */
@@ -199,65 +178,19 @@ export class ProblemScene {
       this.result = resultOf(given.document, boundary, solution);
       this.#kind.textContent = isFlat ? words.plane : cut ? words.section : words.space;
       // A picture that is not turned has no hint that it could be.
-      this.#orbit.elements[2].hidden = isFlat;
-      this.#isFine = true;
-      this.#fit(STANDARD.iso);
-      this.#draw();
+      this.#standpoint.orbit.elements[2].hidden = isFlat;
+      this.#standpoint.isFine = true;
+      this.#standpoint.fit(STANDARD.iso);
+      this.#standpoint.paint();
       this.#host.onsolved("load");
       return true;
     });
   }
 
-  /** @returns {Frame} */
-  get #seenThrough() {
-    return { size: { width: Math.max(1, this.size.width), height: Math.max(1, this.size.height) }, top: 0, bottom: 0 };
-  }
-
-  /** @param {Pick<Camera, "azimuth" | "elevation">} [direction] */
-  #fit(direction = this.#camera) {
-    if (!this.#known) return;
-    this.#camera = fitted(this.#known.isFlat ? ABOVE : direction, this.#seenThrough, cornersOf(this.#known.shape.bounds));
-    this.#fitted = this.#camera.distance;
-    this.#follows = true;
-    this.#repaint();
-    this.#rested();
-  }
-
-  /** @param {Camera} camera @param {boolean} isDrag */
-  #put(camera, isDrag) {
-    // The plane is moved and brought nearer, never turned.
-    this.#camera = this.#known?.isFlat ? { ...camera, ...ABOVE } : camera;
-    this.#follows = false;
-    this.#isFine = false;
-    this.#repaint();
-    if (isDrag) return;
-    clearTimeout(this.#idle);
-    this.#idle = setTimeout(() => this.#rest(), IDLE);
-  }
-
-  #rest() {
-    clearTimeout(this.#idle);
-    this.#isFine = true;
-    this.#repaint();
-    this.#rested();
-  }
-
-  /** Paints before the next frame of the screen. */
-  #repaint() {
-    if (this.#frame === 0 && this.#known) this.#frame = requestAnimationFrame(() => this.#draw());
-  }
-
   #draw() {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    if (!this.#known || this.size.width < 1 || this.size.height < 1) return;
-    paint(this.#host.canvas, this.#known.shape, this.#known.cut, this.#look(globalThis.devicePixelRatio || 1, this.theme));
+    if (!this.#known) return;
+    paint(this.#host.canvas, this.#known.shape, this.#known.cut, this.#standpoint.look(globalThis.devicePixelRatio || 1, this.theme));
     this.#host.onpaint();
-  }
-
-  /** @param {number} ratio @param {"light" | "dark"} theme */
-  #look(ratio, theme) {
-    return { camera: this.#camera, frame: this.#seenThrough, ratio, theme, isFine: this.#isFine };
   }
 }
 

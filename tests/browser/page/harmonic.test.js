@@ -84,6 +84,9 @@ onOnePage("the harmonic blend", {
       await page.locator(`[data-refusal=${mode}]`).waitFor();
     }
     assert.deepEqual(await audit(page, [".mode-stage"]), []);
+    assert.equal(await page.locator("#stage .handle:visible, .legend:visible, #morph-controls:visible").count(), 0, "nothing of the figure is left");
+    assert.match(await status(page), /Not with a harmonic blend/);
+    assert.ok(await page.locator("[data-group-button=blend]").isVisible(), "the blend can be changed");
     await page.locator("[data-action=to-figure]").click();
     await says(page, /Verified/);
   },

@@ -1,5 +1,11 @@
 /** What every export of a picture says. */
 export const words = {
+  heading: "Picture, PNG",
+  scale: "Scale",
+  download: "Download PNG",
+  copy: "Copy",
+  copied: "The picture is copied",
+  done: (/** @type {string} */ name) => `${name} is written`,
   size: "Size in pixels",
   width: "Width",
   height: "Height",

@@ -6,6 +6,7 @@
 import { outline } from "../spline.js";
 import { tidy } from "../state/edits.js";
 import { seen } from "../state/in-space.js";
+import { depth } from "../state/nest.js";
 
 /** Places tried along each side of the box of all curves, and how often the best one is looked at more closely. */
 const PLACES = 32;
@@ -35,15 +36,7 @@ export function roomIn(curves) {
   const outer = outermost(curves);
   if (!rings[outer]) return null;
   /** Free radius about a place; negative where it is not between the curves. @param {Point} at */
-  const free = (at) => {
-    let least = Infinity;
-    for (const [k, ring] of rings.entries()) {
-      const { inside, distance } = against(ring, at);
-      if (inside !== (k === outer)) return -1;
-      least = Math.min(least, distance);
-    }
-    return least;
-  };
+  const free = (at) => Math.min(...rings.map((ring, k) => (k === outer ? depth(ring, at) : -depth(ring, at))));
   const [left, right, low, high] = edgesOf(rings[outer]);
   /** @type {Point} */
   let center = [(left + right) / 2, (low + high) / 2];
@@ -132,24 +125,4 @@ function edgesOf(points) {
 function boxOf(points) {
   const [left, right, low, high] = edgesOf(points);
   return [right - left, high - low];
-}
-
-/**
- * Whether a place lies in a ring, and how far it is from it.
- * @param {readonly Point[]} ring
- * @param {Point} at
- */
-function against(ring, [x, y]) {
-  let distance = Infinity;
-  let inside = false;
-  let [ax, ay] = ring[ring.length - 1];
-  for (const [bx, by] of ring) {
-    const [dx, dy] = [bx - ax, by - ay];
-    const length = dx * dx + dy * dy;
-    const t = length > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / length)) : 0;
-    distance = Math.min(distance, Math.hypot(ax + dx * t - x, ay + dy * t - y));
-    if (ay > y !== by > y && x < ax + (dx * (y - ay)) / dy) inside = !inside;
-    [ax, ay] = [bx, by];
-  }
-  return { inside, distance };
 }

@@ -7,6 +7,7 @@
 import "../../styles/harmonic.css";
 import "../../styles/push.css";
 import { h } from "../dom.js";
+import { strong } from "../frame/status-parts.js";
 import { fillStatus } from "../modes/status-line.js";
 import { words } from "./words.js";
 
@@ -21,7 +22,7 @@ export function createRefusal(app, { stage, status }, mode) {
   stage.append(h("div", { class: "mode-refusal", "data-refusal": mode }, h("p", {}, words.modes[mode]), back));
   app.say(words.modes[mode]);
   return {
-    render: () => fillStatus(status, "none", [], []),
+    render: () => fillStatus(status, "incomplete", [strong(words.refused)], []),
     close: () => {},
   };
 }

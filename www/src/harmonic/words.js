@@ -65,6 +65,7 @@ export const words = {
     compare: "Compare sets methods of matching side by side. The harmonic blend needs no matching; the difference from the linear blend is in the group Blend.",
     solid: "The solid is spanned by ruling lines between curves at different heights. The harmonic blend lies in one plane.",
   },
+  refused: "Not with a harmonic blend",
   toFigure: "Back to the figure",
 
   difference: "Difference",

@@ -11,6 +11,7 @@ import "../../styles/push.css";
 import "../../styles/hyperpatch.css";
 import { attribute, find, h, write } from "../dom.js";
 import { createGroups } from "../inspector/inspector.js";
+import { createKeeping } from "../kinds/keeping.js";
 import { createWorkbench } from "../kinds/workbench.js";
 import { STANDARD } from "../space/camera.js";
 import { placeOf, planeMoves } from "../space/section.js";
@@ -43,8 +44,6 @@ import { words } from "./words.js";
 const KIND = "hyperpatch";
 /** CSS pixels at the upper edge that stay free. */
 const TOP = 16;
-/** Milliseconds after the last change of camera or display before it is kept. */
-const REST = 250;
 /** Cells with a badge in the picture at most, and the middle of a cell. */
 const MOST_BADGES = 200;
 const MIDDLE = [0.5, 0.5, 0.5];
@@ -53,10 +52,10 @@ const MIDDLE = [0.5, 0.5, 0.5];
 let memory = { open: ["cells", "section", "materials", "show"], tab: "cells" };
 
 /** @param {App} app */
-export const createHyperpatch = (app) => createWorkbench(app, KIND, openWorkbench);
+export const createHyperpatch = (app) => createWorkbench(app, KIND, "body", openWorkbench);
 
-/** @param {App} app */
-function openWorkbench(app) {
+/** @param {App} app @param {import("../kinds/workbench.js").Place} place */
+function openWorkbench(app, { stage, aside }) {
   const { store, ui } = app;
   /** @type {Shown} */
   let shown = FIRST_SHOWN;
@@ -77,10 +76,10 @@ function openWorkbench(app) {
   let shifts = new Map();
   const status = find("#status");
 
-  const stage = h("div", { class: "body-stage", "data-furniture": "" });
-  const aside = h("div", { class: "body-aside" });
-  find("#stage").prepend(stage);
-  find("#inspector").append(aside);
+  const keeping = createKeeping(() => {
+    if (framed && framed === store.origin.name) leave(app, framed, view?.camera ?? null, shown);
+  });
+
   status.replaceChildren();
 
   const nowShown = () => ({ known, shown });
@@ -124,7 +123,7 @@ function openWorkbench(app) {
         undo: (run) => void store.cancel(run),
       },
       step: () => (ui.value.snap ? nudgeOf(known) : null),
-      rested: keepLater,
+      rested: () => keeping.later(),
       turned() {
         if (shown.section.axis === "view") cut.request();
       },
@@ -142,7 +141,7 @@ function openWorkbench(app) {
   const { resize, close: stopFollowing } = followSize(picture, view, () => ({ top: TOP, bottom: foot.offsetHeight }));
   const editing = createEditing(app, { now: () => ({ known, isCurrent: known?.document === bodyOf(app), shown }), change, corner, step: () => nudgeOf(known), render });
   stage.append(picture, legend.element, help, message, editing.refusal, foot);
-  const groupsAt = h("div", { class: "body-groups" });
+  const groupsAt = h("div", { class: "bench-groups body-groups" });
   aside.append(groupsAt);
   const now = () => ({ known, isCurrent: known?.document === bodyOf(app), shown, corner: corner.current(), extent: cut.plane()?.extent ?? null, joints: known && jointsNow(known), area });
   const groups = createGroups(
@@ -201,26 +200,12 @@ function openWorkbench(app) {
     const cells = patch.cell !== undefined && !patch.cells ? { cells: patch.cell === null ? [] : [patch.cell] } : {};
     shown = { ...shown, ...(patch.corner === null ? { others: [], at: null } : {}), ...cells, ...patch };
     isDirty = true;
-    keepLater();
+    keeping.later();
     render();
   }
 
   /** @type {{of: unknown[], joints: import("./joints.js").Joints | null}} */
   let joined = { of: [], joints: null };
-
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
-
-  /** Keeps what a reload and the way back bring, once it rests. */
-  function keepLater() {
-    clearTimeout(timer);
-    timer = setTimeout(keepNow, REST);
-  }
-
-  function keepNow() {
-    clearTimeout(timer);
-    if (framed && framed === store.origin.name) leave(app, framed, view?.camera ?? null, shown);
-  }
 
   /** How the cells of the body that is known continue each other. @param {Known} body */
   function jointsNow(body) {
@@ -286,8 +271,6 @@ function openWorkbench(app) {
   }
 
   const over = new AbortController();
-  // Before the page writes down what a reload brings back.
-  for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
   const stopKeys = listenToKeys({ keyboard, view, corner, change, now: nowShown });
 
   /** The body in words. */
@@ -368,14 +351,12 @@ function openWorkbench(app) {
       stopFollowing();
       stopKeys();
       over.abort();
-      if (timer) keepNow();
+      keeping.close();
       runner.close();
       cut.close();
       editing.close();
       offer(null);
       view?.close();
-      stage.remove();
-      aside.remove();
       status.replaceChildren();
       delete status.dataset.verdict;
     },

@@ -136,13 +136,6 @@ export const words = {
       obj: ["Surface with colours, OBJ", "for drawing programs"],
       vtu: ["Cells, VTK", "unstructured grid with volume fractions"],
     }),
-    picture: {
-      heading: "Picture, PNG",
-      scale: "Scale",
-      download: "Download PNG",
-      copy: "Copy",
-      copied: "The picture is copied",
-    },
     tooLarge: "The graphics card draws no picture of that size.",
     noPicture: "There is no picture of the body now.",
     done: (/** @type {string} */ name) => `${name} is written`,

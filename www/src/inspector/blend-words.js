@@ -5,5 +5,5 @@ export const words = {
   ruled: "Linear",
   cubic: "Cubic",
   stages: "Stages",
-  names: "Names on the in-betweens",
+  names: "Names of stages",
 };

@@ -6,26 +6,17 @@
  */
 import "../../styles/export.css";
 import "../../styles/list.css";
-import "../../styles/push.css";
-import { segment } from "../controls/choices.js";
-import { row } from "../controls/row.js";
 import { h } from "../dom.js";
-import { copyPng } from "../files/clipboard.js";
 import { download } from "../files/download.js";
 import { fileName } from "../files/names.js";
-import { pictureRows } from "../files/picture-rows.js";
-import { LARGEST, scaledSize } from "../files/pictures.js";
+import { pictureSection } from "../files/picture-section.js";
 import { written } from "../files/written.js";
 import { openPanel } from "../frame/panel.js";
 import { problem } from "../painter.js";
 import { csvOf } from "./compare/csv.js";
 import { laboratoryOf } from "./document.js";
-import { elementRows, offered, sectionRowsOf } from "./picture.js";
+import { elementRows, offered, problemPicture, sectionRowsOf } from "./picture.js";
 import { words } from "./words.js";
-
-const SCALES = /** @type {const} */ (["1", "2", "4"]);
-/** What was chosen last, for as long as the page is open. */
-const last = { transparent: false };
 
 /** @param {App} app */
 export function showProblemExport(app) {
@@ -56,44 +47,12 @@ export function showProblemExport(app) {
   ];
   const size = offered()?.size ?? null;
   const list = h("ul", { class: "listing" }, ...buttons.map((button) => h("li", {}, button)));
-  const panel = openPanel({ name: "export", heading: text.heading, body: [list, ...(size ? [pictureSection(size)] : []), message] });
+  const { theme } = app.ui.value;
+  const file = () => `${fileName(laboratoryOf(app).title)}.png`;
+  const picture = size && pictureSection({ name: "lab", size, theme, file, make: problemPicture, run });
+  const panel = openPanel({ name: "export", heading: text.heading, body: [list, ...(picture ? [picture] : []), message] });
   if (!panel) return;
   buttons[0].focus();
-
-  /** The picture as it is seen. @param {import("../types.js").Size} size on the screen */
-  function pictureSection(size) {
-    /** @type {import("../files/picture-rows.js").PictureWanted} */
-    const wanted = { ...last, theme: app.ui.value.theme, ...scaledSize(size, Number(SCALES[1])) };
-    const rows = pictureRows({ name: "lab", largest: LARGEST }, change);
-    const scale = segment({ label: text.picture.scale, name: "lab-scale", choices: SCALES.map((value) => ({ value, text: `${value}×` })) }, (value) => change(scaledSize(size, Number(value))));
-
-    /** @param {Partial<typeof wanted>} patch */
-    function change(patch) {
-      Object.assign(wanted, patch);
-      last.transparent = wanted.transparent;
-      rows.set(wanted);
-      const same = SCALES.find((each) => scaledSize(size, Number(each)).width === wanted.width && scaledSize(size, Number(each)).height === wanted.height);
-      scale.set(same ?? /** @type {any} */ (""));
-    }
-    change({});
-    const png = async () => {
-      const canvas = offered()?.picture(wanted);
-      if (!canvas) throw new Error(offered() ? text.tooLarge : text.noPicture);
-      return canvas.convertToBlob({ type: "image/png" });
-    };
-    const button = (/** @type {string} */ name, /** @type {string} */ label, /** @type {() => Promise<string>} */ act) =>
-      h("button", { type: "button", class: "push", "data-export": name, onclick: () => void run(act) }, label);
-    const save = button("png", text.picture.download, async () => {
-      const name = `${fileName(laboratoryOf(app).title)}.png`;
-      download(await png(), name);
-      return text.done(name);
-    });
-    const copy = button("copy", text.picture.copy, async () => {
-      await copyPng(png());
-      return text.picture.copied;
-    });
-    return h("div", { class: "lab-picture" }, h("h3", {}, text.picture.heading), row(text.picture.scale, scale), rows.size, rows.theme, rows.background, h("div", { class: "export-acts" }, save, copy));
-  }
 
   /** @param {() => Promise<string>} act what is said when it is done */
   async function run(act) {

@@ -191,7 +191,7 @@ export function sectionGroup(bench, { back, face }) {
     { label: text.field, name: "lab-place", min: -FAR, max: FAR, step: () => stepOf(), decimals: 2, rounded: true },
     { change: (value, run) => move(value, run), end: bench.endRun, cancel: bench.takeBack },
   );
-  field.element.classList.add("short");
+  field.element.classList.add("lab-place");
   const other = h("button", { type: "button", class: "push", "data-lab-flip": "", onclick: () => bench.commit((document) => (document.section ? { ...document, section: flipped(document.section) } : document)) }, text.other);
   const facts = h("div", {});
   const on = h("div", {}, row(text.at, place, field), h("div", { class: "lab-acts" }, other), facts, h("p", { class: "lab-note" }, text.note));

@@ -14,6 +14,8 @@ import { commandOf, runCommand } from "../commands.js";
 import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
 import { createGroups } from "../inspector/inspector.js";
+import { createKeeping } from "../kinds/keeping.js";
+import { createRedraw } from "../kinds/redraw.js";
 import { createWorkbench } from "../kinds/workbench.js";
 import { later } from "../later.js";
 import { STANDARD } from "../space/camera.js";
@@ -47,8 +49,6 @@ import { words } from "./words.js";
 const KIND = "laplace";
 /** CSS pixels at the upper edge that stay free. */
 const TOP = 56;
-/** Milliseconds after the last change of camera or display before it is kept. */
-const REST = 250;
 /** A step of the plane by keys, as a share of its way. */
 const STEP = 0.01;
 
@@ -56,10 +56,10 @@ const STEP = 0.01;
 let memory = { open: ["model", "boundary", "section", "display"], tab: "model" };
 
 /** @param {App} app */
-export const createLaboratory = (app) => createWorkbench(app, KIND, openWorkbench);
+export const createLaboratory = (app) => createWorkbench(app, KIND, "lab", openWorkbench);
 
-/** @param {App} app */
-function openWorkbench(app) {
+/** @param {App} app @param {import("../kinds/workbench.js").Place} place */
+function openWorkbench(app, { stage, aside }) {
   const { store, ui } = app;
   /** @type {Shown} */
   let shown = FIRST_SHOWN;
@@ -78,10 +78,12 @@ function openWorkbench(app) {
   const status = find("#status");
   const over = new AbortController();
 
-  const stage = h("div", { class: "lab-stage", "data-furniture": "" });
-  const aside = h("div", { class: "lab-aside" });
-  find("#stage").prepend(stage);
-  find("#inspector").append(aside);
+  const keeping = createKeeping(() => {
+    if (framed && framed === store.origin.name && (fittedTo === framed || known?.mesh.soup === null)) leave(app, framed, view?.camera ?? null, shown);
+  });
+  const redraw = createRedraw(() => render());
+  const { request } = redraw;
+
   status.replaceChildren();
   if (ui.value.layers.length === 0) ui.set({ layers: ["grid"] });
 
@@ -95,7 +97,7 @@ function openWorkbench(app) {
     change(patch) {
       if (patch.picking) shown = { ...shown, look: "solution" };
       shown = { ...shown, ...patch };
-      keepLater();
+      keeping.later();
       request();
     },
     commit: (change, run) => store.commit({ change: /** @type {any} */ (change), ...(run === undefined ? {} : { run }) }),
@@ -131,7 +133,7 @@ function openWorkbench(app) {
       speak: () => reader.speak(),
       tap: (place) => picker.tap(place),
       isInside,
-      rested: keepLater,
+      rested: () => keeping.later(),
       oncontext(lost) {
         isLost = lost;
         request();
@@ -178,7 +180,7 @@ function openWorkbench(app) {
     },
   );
 
-  const groupsAt = h("div", { class: "lab-panels groups" });
+  const groupsAt = h("div", { class: "bench-groups lab-panels groups" });
   aside.append(groupsAt);
   const acts = { look: (/** @type {any} */ direction) => view?.look(direction), back: () => view?.back ?? /** @type {import("../space/vector.js").Vector} */ ([0, -1, 0]), face: () => face.latest };
   const section = sectionGroup(bench, acts);
@@ -255,33 +257,6 @@ function openWorkbench(app) {
     const [i, j] = share.map((each, k) => Math.floor(each * found.size[k]));
     return i >= 0 && j >= 0 && i < found.size[0] && j < found.size[1] && !Number.isNaN(found.values[0][j * found.size[0] + i]);
   }
-
-  let frame = 0;
-  /** Draws in the next frame, once. */
-  function request() {
-    if (frame === 0) {
-      frame = requestAnimationFrame(() => {
-        frame = 0;
-        if (!over.signal.aborted) render();
-      });
-    }
-  }
-
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
-
-  /** Keeps what a reload and the way back bring, once it rests. */
-  function keepLater() {
-    clearTimeout(timer);
-    timer = setTimeout(keepNow, REST);
-  }
-
-  function keepNow() {
-    clearTimeout(timer);
-    if (framed && framed === store.origin.name && (fittedTo === framed || known?.mesh.soup === null)) leave(app, framed, view?.camera ?? null, shown);
-  }
-  // Before the page writes down what a reload brings back.
-  for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
 
   /** Speaks of a problem once an edit is over and it is solved. */
   function tell() {
@@ -439,17 +414,15 @@ function openWorkbench(app) {
     render,
     close() {
       over.abort();
-      cancelAnimationFrame(frame);
+      redraw.close();
       stopFollowing();
-      if (timer) keepNow();
+      keeping.close();
       runner.close();
       face.close();
       reader.close();
       comparing?.close();
       offer(null);
       view?.close();
-      stage.remove();
-      aside.remove();
       status.replaceChildren();
       delete status.dataset.verdict;
     },

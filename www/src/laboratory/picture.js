@@ -28,6 +28,17 @@ export function offer(next) {
 export const offered = () => current;
 
 /**
+ * The picture as a PNG.
+ * @param {PictureWanted} wanted
+ * @throws {Error} where there is none, or none of that size
+ */
+export async function problemPicture(wanted) {
+  const canvas = current?.picture(wanted);
+  if (!canvas) throw new Error(current ? words.exports.tooLarge : words.exports.noPicture);
+  return canvas.convertToBlob({ type: "image/png" });
+}
+
+/**
  * The solution on the boundary as rows of a file.
  * @param {Offer | null} from
  * @returns {(string | number)[][]}

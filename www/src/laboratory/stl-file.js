@@ -6,6 +6,7 @@
 import { problem } from "../painter.js";
 import { AXES } from "../space/section.js";
 import { middleOf } from "../space/vector.js";
+import { strings } from "../strings.js";
 import { withModel } from "./edits.js";
 import { boundsOf } from "./mesh.js";
 import { through } from "./section-state.js";
@@ -35,7 +36,8 @@ export async function openStl(bench, file, tell) {
     tell(null);
     bench.app.say(text.imported(file.name, triangles.length));
   } catch (error) {
-    const message = text.refused(file.name, problem(error).message);
+    const { path = "", message: reason } = problem(error);
+    const message = text.refused(file.name, strings.errors.document(path, reason));
     tell(message);
     bench.app.say(message);
   }

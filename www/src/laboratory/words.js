@@ -204,7 +204,6 @@ export const words = {
     json: ["Document", "JSON, opens here again"],
     elements: ["Boundary, CSV", "centre, area, group, fractions and fluxes of every element"],
     section: ["Section, CSV", "fractions on the pixels of the plane"],
-    picture: { heading: "Picture, PNG", scale: "Scale", download: "Download PNG", copy: "Copy", copied: "The picture is copied" },
     tooLarge: "The graphics card draws no picture of that size.",
     noPicture: "There is no picture of the problem now.",
     noSolution: "There is no solution to be written now.",

@@ -71,7 +71,7 @@ export function createModes(app) {
     stage.replaceChildren();
     aside.replaceChildren();
     app.tool?.close();
-    document.documentElement.dataset.mode = name;
+    document.documentElement.dataset.mode = refuses ? "refused" : name;
     ui.set({ playing: false, probe: null });
     control.set(name);
     if (held) /** @type {HTMLElement | null} */ (element.querySelector("input:checked"))?.focus();

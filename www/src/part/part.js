@@ -13,6 +13,8 @@ import { segment } from "../controls/choices.js";
 import { attribute, find, h, write } from "../dom.js";
 import { openGallery } from "../frame/gallery.js";
 import { createGroups } from "../inspector/inspector.js";
+import { createKeeping } from "../kinds/keeping.js";
+import { createRedraw } from "../kinds/redraw.js";
 import { createWorkbench } from "../kinds/workbench.js";
 import { listenToGestures } from "../stage/gestures.js";
 import { createZoom } from "../stage/zoom.js";
@@ -39,8 +41,6 @@ import { words } from "./words.js";
 
 /** Of documents that are shown here. */
 const KIND = "part";
-/** Milliseconds after the last change of view or display before it is kept. */
-const REST = 250;
 /** CSS pixels round a part that is fitted into the picture: at the upper edge and at the sides. */
 const ROOM = { top: 56, side: 40 };
 
@@ -53,10 +53,10 @@ let memory = { open: ["tree", "feature", "profile", "overlap", "blend", "display
 const WIDE = "(width >= 1200px)";
 
 /** @param {App} app */
-export const createPart = (app) => createWorkbench(app, KIND, openWorkbench);
+export const createPart = (app) => createWorkbench(app, KIND, "part", openWorkbench);
 
-/** @param {App} app */
-function openWorkbench(app) {
+/** @param {App} app @param {import("../kinds/workbench.js").Place} place */
+function openWorkbench(app, { stage, aside }) {
   const { store, ui } = app;
   /** @type {Shown} */
   let shown = FIRST_SHOWN;
@@ -74,12 +74,14 @@ function openWorkbench(app) {
   const over = new AbortController();
   if (ui.value.layers.length === 0) ui.set({ layers: ["grid"] });
 
-  const stage = h("div", { class: "part-stage", "data-furniture": "" });
-  const aside = h("div", { class: "part-aside" });
   const list = h("aside", { class: "part-list", "data-furniture": "", "aria-label": words.tree });
-  find("#stage").prepend(stage);
   find("#stage").before(list);
-  find("#inspector").append(aside);
+  const keeping = createKeeping(() => {
+    if (framed && isFramed()) leave(app, framed, shown);
+  });
+  const redraw = createRedraw(() => render());
+  const { request } = redraw;
+
   status.replaceChildren();
 
   /** @type {Bench} */
@@ -89,7 +91,7 @@ function openWorkbench(app) {
     change(patch) {
       reveal(patch);
       shown = { ...shown, ...patch };
-      keepLater();
+      keeping.later();
       request();
     },
     commit: (change, run) => store.commit({ change: /** @type {any} */ (change), ...(run === undefined ? {} : { run }) }),
@@ -128,7 +130,7 @@ function openWorkbench(app) {
     foot,
     compare.element,
   );
-  const groupsAt = h("div", { class: "part-groups groups" });
+  const groupsAt = h("div", { class: "bench-groups part-groups groups" });
   aside.append(groupsAt);
   const tree = createTree(bench);
   const treeAt = h("div", {});
@@ -195,34 +197,8 @@ function openWorkbench(app) {
     if (names.length > 0) memory = { ...memory, open: [...new Set([...memory.open, ...names])] };
   }
 
-  let frame = 0;
-  /** Draws in the next frame, once. */
-  function request() {
-    if (frame === 0) {
-      frame = requestAnimationFrame(() => {
-        frame = 0;
-        if (!over.signal.aborted) render();
-      });
-    }
-  }
-
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
   /** The view as it was drawn last. */
   let seenView = /** @type {import("../types.js").View | null} */ (null);
-
-  /** Keeps what a reload and the way back bring, once it rests. */
-  function keepLater() {
-    clearTimeout(timer);
-    timer = setTimeout(keepNow, REST);
-  }
-
-  function keepNow() {
-    clearTimeout(timer);
-    if (framed && isFramed()) leave(app, framed, shown);
-  }
-  // Before the page writes down what a reload brings back.
-  for (const type of ["beforeunload", "pagehide"]) addEventListener(type, keepNow, { signal: over.signal, capture: true });
 
   /** Goes on where an opening of a document was left, or shows the whole of a new one. */
   function frameDocument() {
@@ -290,7 +266,7 @@ function openWorkbench(app) {
     const { theme, layers } = ui.value;
     if (view !== seenView) {
       seenView = view;
-      keepLater();
+      keeping.later();
     }
     if (view && known) draw({ view, size, theme, hasGrid: layers.includes("grid"), ...sheets.of(known, shown) });
     attribute(canvas, "aria-label", words.picture(document.title ?? "", summaryOf(bench)));
@@ -314,14 +290,12 @@ function openWorkbench(app) {
     render,
     close() {
       over.abort();
-      cancelAnimationFrame(frame);
-      if (timer) keepNow();
+      redraw.close();
+      keeping.close();
       runner.close();
       probe.close();
       compare.close();
       shapes.close();
-      stage.remove();
-      aside.remove();
       list.remove();
       status.replaceChildren();
       delete status.dataset.verdict;

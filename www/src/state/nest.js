@@ -49,7 +49,7 @@ export function nesting(curve) {
  * @param {readonly Point[]} ring
  * @param {Point} at
  */
-function depth(ring, [x, y]) {
+export function depth(ring, [x, y]) {
   let least = Infinity;
   let inside = false;
   let [ax, ay] = ring[ring.length - 1];
