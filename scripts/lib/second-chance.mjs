@@ -1,6 +1,7 @@
 /**
- * Test files that failed while others ran beside them are run once more, alone: on a machine that is busy a browser may take longer for a thing than a
- * test waits. What passes only then is said, so that it is seen and mended; what fails twice has failed.
+ * Test files, each run by a process of its own, so that it is known which of them failed. Those that failed while others ran beside them are run once
+ * more, alone: on a machine that is busy a browser may take longer for a thing than a test waits. What passes only then is said, so that it is seen and
+ * mended; what fails twice has failed.
  */
 import { CommandError } from "./run.mjs";
 
@@ -13,51 +14,48 @@ const filesAtOnce = 2;
 export const PASSED_LATER = "passed only when run again, alone: ";
 
 /**
- * @param {Log} log
+ * @param {Log} log takes what each file's last run printed, file by file
  * @param {number} most files that are run again; with more failures something is broken
- * @param {(files: string[], atOnce: number, log: Log) => Promise<void>} runner rejected when a test failed
+ * @param {(file: string, log: Log) => Promise<void>} runner rejected when a test failed
  * @param {string[]} files
  */
 export async function secondChance(log, most, runner, files) {
-  /** The file of each failure. @type {string[]} */
-  const failed = [];
-  /** What the report says of them: the name and the first line of the error. @type {string[][]} */
-  const told = [];
-  /** @type {string[]} */
-  const sums = [];
-  try {
-    await runner(files, filesAtOnce, (line) => {
-      const file = fileOf(line);
-      if (file) {
-        failed.push(file);
-        told.push([]);
-      } else if (told.length > 0 && (told.at(-1)?.length ?? 2) < 2) told.at(-1)?.push(line.trim());
-      if (isSumOfFailures(line)) sums.push(line);
-      else log(line);
-    });
-    sums.forEach(log);
-  } catch (error) {
-    const again = files.filter((file) => failed.includes(file));
-    // A failure that is in no file known by its name would pass unseen.
-    const isAllNamed = failed.every((file) => files.includes(file)) && failed.length === sum(sums);
-    if (!isAllNamed || again.length === 0 || again.length > most || !(error instanceof CommandError)) {
-      sums.forEach(log);
-      throw error;
+  /** @type {Map<string, string[]>} what was printed by the files that failed */
+  const failed = new Map();
+  const waiting = [...files];
+  const worker = async () => {
+    for (let file = waiting.shift(); file !== undefined; file = waiting.shift()) {
+      const { lines, isPassed } = await once(runner, file);
+      if (isPassed) lines.forEach((line) => log(line));
+      else failed.set(file, lines);
     }
-    log(`again, alone: ${again.join(", ")}`);
-    await runner(again, 1, (line) => log(isSumOfPasses(line) ? `(${line} of these)` : line));
-    failed.forEach((file, n) => log(`${PASSED_LATER}${[file, ...told[n]].join("  ")}`));
+  };
+  await Promise.all(Array.from({ length: filesAtOnce }, worker));
+
+  /** @type {string[]} */
+  const broken = [];
+  for (const [file, first] of failed) {
+    const { lines, isPassed } = failed.size > most ? { lines: first, isPassed: false } : await once(runner, file);
+    lines.forEach((line) => log(line));
+    if (isPassed) log(`${PASSED_LATER}${[file, ...failures(first)].join("  ")}`);
+    else broken.push(file);
+  }
+  if (broken.length > 0) throw new CommandError(`tests failed in ${broken.join(", ")}`);
+}
+
+/** @param {(file: string, log: Log) => Promise<void>} runner @param {string} file */
+async function once(runner, file) {
+  /** @type {string[]} */
+  const lines = [];
+  try {
+    await runner(file, (line) => lines.push(line));
+    return { lines, isPassed: true };
+  } catch (error) {
+    if (!(error instanceof CommandError)) throw error;
+    return { lines: [...lines, error.message], isPassed: false };
   }
 }
 
-/** The file of a failed test, as the reporter names it below the results. @param {string} line */
-const fileOf = (line) => /^\s*test at (.+?\.test\.js):\d+:\d+$/.exec(line)?.[1] ?? null;
-
-/** @param {string[]} lines that end with a number */
-const sum = (lines) => lines.reduce((all, line) => all + Number(line.split(" ").at(-1)), 0);
-
-/** @param {string} line */
-const isSumOfFailures = (line) => /^\S (fail|cancelled) \d+$/.test(line);
-
-/** @param {string} line */
-const isSumOfPasses = (line) => /^\S pass \d+$/.test(line);
+/** The name and the first line of the error of each failed test, as the reporter lists them below the results. @param {string[]} lines */
+const failures = (lines) =>
+  lines.flatMap((line, k) => (line.startsWith("test at ") ? lines.slice(k + 1, k + 3).map((each) => each.trim()) : []));

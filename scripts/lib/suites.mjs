@@ -13,7 +13,7 @@ import { compiler, forWasm } from "./rust.mjs";
 /** @typedef {import("./steps.mjs").Step} Step */
 
 /** Seconds that one test file may take, the slow start of a browser on a busy machine included. */
-const testLimit = 240;
+const fileLimit = 240;
 
 /** The lane of everything that cargo does in `target/debug`. */
 const host = "host";
@@ -68,13 +68,10 @@ const node = (step, folder, { env, again = 0 } = {}) => ({
     const files = entries.filter((path) => path.endsWith(".test.js")).map((path) => join(folder, path));
     if (files.length === 0) throw new CommandError(`no test in ${folder}`);
     const added = { NO_COLOR: "1", ...(await env?.()) };
-    const options = ["--test", "--test-reporter=spec", `--test-timeout=${testLimit * 1000}`, "--test-force-exit"];
-    await secondChance(
-      log,
-      again,
-      (chosen, atOnce, each) => run(process.execPath, [...options, `--test-concurrency=${atOnce}`, ...chosen], { log: each, env: added }),
-      files.sort(),
-    );
+    const options = ["--test-reporter=spec", "--test-force-exit"];
+    const runner = (/** @type {string} */ file, /** @type {import("./steps.mjs").Log} */ each) =>
+      run(process.execPath, [...options, file], { log: each, env: added, limit: fileLimit });
+    await secondChance(log, again, runner, files.sort());
   },
 });
 

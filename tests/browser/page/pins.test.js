@@ -12,14 +12,15 @@ import { documentOf, drag, eventually, field, middle, spoken, status } from "./w
 const pinsOf = async (/** @type {Page} */ page) => (await documentOf(page)).matching.pins ?? [];
 const end = (/** @type {Page} */ page, /** @type {string} */ name) => page.locator(`[data-pin-end="${name}"]`);
 
-/** Counts the rings that were opened, each with a title of its own, so that none is taken for the one before. */
+/** Counts the rings that were opened: each pair has a title and a number of lines of its own, so that none is taken for the one before. */
 let opened = 0;
 
-/** Two rings of 24 lines. @param {Page} page @param {object} [matching] */
+/** Two rings of some 30 lines, ten more each time; pins add lines of their own. @param {Page} page @param {object} [matching] */
 async function openRings(page, matching = {}) {
-  const title = `Rings ${(opened += 1)}`;
-  await openAsFile(page, rings({ method: "exact", oneToOne: true, ...matching }, { title, sampling: { counts: [24, 24] } }));
-  await eventually(async () => assert.match(await status(page), /\b2\d\s*lines/));
+  opened += 1;
+  const lines = 20 + 10 * opened;
+  await openAsFile(page, rings({ method: "exact", oneToOne: true, ...matching }, { title: `Rings ${opened}`, sampling: { counts: [lines, lines] } }));
+  await eventually(async () => assert.match(await status(page), new RegExp(`\\b${lines / 10}\\d\\s*lines`)));
 }
 
 /** Chooses the first line by the keyboard. @param {Page} page */
