@@ -1,5 +1,6 @@
 /** Documents that tests put into the page. */
 import assert from "node:assert/strict";
+import { idle } from "./idle.js";
 import { documentOf, eventually } from "./workbench.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -13,6 +14,7 @@ export async function openAsFile(page, document) {
   const buffer = Buffer.from(JSON.stringify(document));
   await page.locator("input[data-file]").setInputFiles({ name: "opened.json", mimeType: "application/json", buffer });
   await eventually(async () => assert.equal((await documentOf(page)).title, document.title));
+  await idle(page);
 }
 
 /** A ring of eight control points. @param {number} radius @param {number} [x] of its middle @param {number} [height] */

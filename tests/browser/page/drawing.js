@@ -4,6 +4,7 @@
  * @import { Page } from "playwright-core"
  */
 import assert from "node:assert/strict";
+import { idle } from "./idle.js";
 import { documentOf, eventually } from "./workbench.js";
 
 /** A page on a phone. */
@@ -17,6 +18,7 @@ export async function newDocument(page) {
   const file = page.locator("[data-action=file]");
   await ((await file.isVisible()) ? file : page.locator("[data-action=menu]")).click();
   await page.locator("[data-item=new]").click();
+  await idle(page);
   await eventually(async () => assert.deepEqual((await documentOf(page)).curves, []));
   await eventually(async () => assert.equal(await page.locator("#status").getAttribute("data-verdict"), "incomplete"));
   await page.locator("[data-empty=draw]").waitFor();

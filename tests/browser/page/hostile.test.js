@@ -7,6 +7,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { base, cases, garbled, numbers } from "../../node/hostile.js";
+import { idle } from "./idle.js";
 import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, field, handle, spoken, status } from "./workbench.js";
@@ -37,9 +38,13 @@ async function edited(t) {
   await page.keyboard.press("Shift+ArrowUp");
   await eventually(async () => assert.ok(await page.locator("[data-action=undo]").isEnabled()));
   await page.waitForSelector("#status[data-verdict=verified]");
+  await idle(page);
+  // The finer picture of a page at rest.
   await page.waitForTimeout(400);
+  await idle(page);
   const before = [JSON.stringify(await documentOf(page)), await picture(page)];
   const isUnharmed = async () => {
+    await idle(page);
     assert.equal(JSON.stringify(await documentOf(page)), before[0]);
     assert.ok((await picture(page)) === before[1], "the picture is the same");
     assert.ok(await page.locator("[data-action=undo]").isEnabled(), "the history is there");

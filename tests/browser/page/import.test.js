@@ -7,6 +7,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
 import { newDocument, PHONE } from "./drawing.js";
+import { idle } from "./idle.js";
 import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { documentOf, eventually, handle, status } from "./workbench.js";
@@ -65,12 +66,14 @@ const chosen = (page) =>
   page.locator("[data-shape]:has(input:checked)").evaluateAll((all) => all.map((each) => each.querySelector("label")?.textContent));
 
 /** What is said of each chosen shape, once both are fitted. @param {Page} page @returns {Promise<string[]>} */
-const results = (page) =>
-  eventually(async () => {
+const results = async (page) => {
+  await idle(page);
+  return eventually(async () => {
     const found = await page.locator("[data-shape]:has(input:checked) .import-result").allTextContents();
     assert.ok(found.length > 0 && found.every((text) => /control points?, (error|exact)/.test(text)), found.join("; "));
     return found;
   });
+};
 
 /** @param {string} text */
 const countIn = (text) => Number(/(\d+) control/.exec(text)?.[1]);
@@ -206,8 +209,10 @@ onOnePage("the open document and its history survive", Object.fromEntries(UNFIT.
   const before = await documentOf(page);
   assert.notDeepEqual(before, first);
   await choose(page, name, content);
-  await eventually(async () => assert.match(await status(page), new RegExp(`Could not open ${name}`)));
-  assert.match(await status(page), says);
+  await eventually(async () => {
+    assert.match(await status(page), new RegExp(`Could not open ${name}`));
+    assert.match(await status(page), says);
+  });
   assert.equal(await panel(page).count(), 0);
   assert.deepEqual(await documentOf(page), before);
   await page.keyboard.press("Control+z");

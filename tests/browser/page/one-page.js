@@ -8,8 +8,9 @@
  */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { idle } from "./idle.js";
 import { openPage } from "./open.js";
-import { drawn, eventually } from "./workbench.js";
+import { eventually } from "./workbench.js";
 
 /**
  * Runs tests one after the other on one page. Each begins with the document as it was opened: every edit of the one before it is taken back. What else it
@@ -38,5 +39,5 @@ export async function takeBack(page) {
     });
     assert.ok(isDone, "there is still something to undo");
   });
-  await drawn(page);
+  await idle(page);
 }

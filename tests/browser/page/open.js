@@ -12,6 +12,7 @@ import assert from "node:assert/strict";
 import { after, before } from "node:test";
 import { launch, watch } from "../support/browser.js";
 import { serveDist } from "../support/server.js";
+import { countCalls } from "./idle.js";
 import { ready } from "./workbench.js";
 
 /** @type {import("playwright-core").Browser} */
@@ -74,6 +75,7 @@ async function newPage(t, options, init) {
   t.after(() => context.close());
   // Keeping the page for use without a network has tests of its own, and is much work for the machine.
   await context.addInitScript("Object.defineProperty(navigator, 'serviceWorker', { value: undefined });");
+  await countCalls(context);
   if (init) await context.addInitScript(init);
   const page = await context.newPage();
   page.setDefaultTimeout(15_000);

@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { load } from "directrix";
 import { audit } from "../support/axe.js";
+import { idle } from "./idle.js";
 import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { hashOf, offered, share } from "./sharing.js";
@@ -342,6 +343,7 @@ test("every preset opens from the gallery; what is wrong is named; a new part is
   for (const id of ["base", "references", "lens", "scaffold", "tool", "rectangle"]) {
     await page.locator("[data-action=gallery]").click();
     await page.locator(`[data-preset=part-${id}]`).click();
+    await idle(page);
     await measured(page);
     await eventually(async () => assert.match((await status(page)).replaceAll("\u2009", ""), /\d pixels|\d\spixels/));
   }

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { idle } from "./idle.js";
 import { onOnePage } from "./one-page.js";
 import {
   coordinates,
@@ -24,7 +25,7 @@ onOnePage("the pointer", {
     await eventually(async () => {
       for (const angle of [0, 1, 2, 3, 4, 5, 6, 7].map((k) => (k * Math.PI) / 4)) {
         await page.mouse.move(ax + 22 * Math.cos(angle), ay + 22 * Math.sin(angle));
-        await page.waitForTimeout(60);
+        await idle(page);
         if (await card.isVisible()) return;
       }
       assert.fail("no reading");
