@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
+import { idle } from "./idle.js";
 import { onOnePage } from "./one-page.js";
 import { openPage } from "./open.js";
 import { choose, drawByClicks, newDocument, PHONE, round } from "./drawing.js";
@@ -160,6 +161,7 @@ onOnePage("drawing", {
     await page.mouse.click(400, 300);
     await page.locator("[data-action=file]").click();
     await choose(page, "new");
+    await idle(page);
     await eventually(async () => assert.equal(await page.locator("[data-segment=draw-mode]").count(), 0));
     await drawByClicks(page, 200, 4);
     assert.equal((await documentOf(page)).curves.length, 1);
