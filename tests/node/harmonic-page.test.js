@@ -43,7 +43,7 @@ test("room is looked for between the curves: the largest free circle", () => {
 test("curves that come in leave a harmonic blend, and are as many as fit", () => {
   let document = preset("three-cores");
   for (const copied of [undefined, 1, 0, undefined]) {
-    const next = withCurveInside(document, copied);
+    const next = withCurveInside(document, copied === undefined ? undefined : document.curves[copied]);
     assert.ok(next);
     assert.equal(next.curves.length, document.curves.length + 1);
     assert.equal(next.sampling.counts.length, next.curves.length);

@@ -98,13 +98,13 @@ onOnePage("shapes from elsewhere", {
     await eventually(async () => assert.deepEqual(await documentOf(page), before));
   },
 
-  "another pair may be chosen, a third shape takes the place of the first, and corners may go": async (page) => {
+  "another pair may be chosen, three shapes are a harmonic blend, and corners may go": async (page) => {
     await choose(page, "washers.svg", DRAWING);
     await results(page);
     await page.locator("[data-box=import-2]").check();
-    assert.deepEqual(await chosen(page), ["plate", "tooth"]);
+    assert.deepEqual(await chosen(page), ["hole", "plate", "tooth"]);
+    assert.match(await page.locator("[data-import-hint]").innerText(), /harmonic blend, with the largest one outside/);
     await page.locator("[data-box=import-2]").uncheck();
-    await page.locator("[data-box=import-0]").check();
     const kept = await results(page);
     await page.locator("[data-segment=import-corners] label").nth(1).click();
     const smooth = await eventually(async () => {
@@ -156,6 +156,34 @@ onOnePage("shapes from elsewhere", {
     const reach = (/** @type {number} */ k) => document.curves[1].points.map((/** @type {number[]} */ p) => p[k]);
     assert.ok(Math.abs(Math.max(...reach(0)) - 80) < 1e-6 && Math.abs(Math.min(...reach(1)) + 80) < 1e-6, "centred at the origin");
     await page.waitForSelector("#status[data-verdict=verified]");
+  },
+
+  "three shapes open as a harmonic blend, and another one comes inside where there is room": async (page) => {
+    await choose(page, "cores.svg", DRAWING);
+    await page.locator("[data-box=import-2]").check();
+    await results(page);
+    await command(page, "open").click();
+    await eventually(async () => assert.equal((await documentOf(page)).title, "cores"));
+    const { blend, curves } = await documentOf(page);
+    assert.equal(blend.kind, "harmonic");
+    assert.deepEqual(
+      curves.map((/** @type {any} */ curve) => [curve.name, curve.composition[0].mix]),
+      [["tooth", [1, 0]], ["hole", [1, 0]], ["plate", [0, 1]]],
+    );
+    await page.waitForSelector("#status[data-verdict=verified]");
+    await choose(page, "more.csv", POINTS);
+    await results(page);
+    await page.locator("[data-box=import-1]").uncheck();
+    await page.locator("[data-box=import-center]").check();
+    await eventually(async () => assert.ok(await command(page, "inside").isEnabled()));
+    assert.deepEqual(await audit(page), []);
+    await command(page, "inside").click();
+    await eventually(async () => assert.equal((await documentOf(page)).curves.length, 4));
+    await idle(page);
+    await page.waitForSelector("#status[data-verdict=verified]");
+    assert.equal((await documentOf(page)).curves[3].name, "list 1");
+    await page.keyboard.press("Control+z");
+    await eventually(async () => assert.deepEqual((await documentOf(page)).curves, curves));
   },
 
   "text is pasted anywhere but into a field, and documents as well as points": async (page) => {

@@ -11,7 +11,8 @@ import { words } from "./words.js";
 
 /** Another curve inside: a circle, or a copy of a curve. @param {App} app @param {number} [copied] */
 export function addInside(app, copied) {
-  const next = withCurveInside(app.store.document, copied);
+  const { document } = app.store;
+  const next = withCurveInside(document, copied === undefined ? undefined : document.curves[copied]);
   if (!next) {
     app.ui.set({ note: { tone: "plain", text: words.noRoom } });
     app.say(words.noRoom);

@@ -58,18 +58,18 @@ export function roomIn(curves) {
 }
 
 /**
- * The document with one more curve inside, of the material at its place: a circle, or a copy of a curve, as large as it is where there is room for that.
+ * The document with one more curve inside, of the material at its place unless it has its own: a circle, or a given curve, as large as it is where there
+ * is room for that.
  * @param {CurvesDocument} document
- * @param {number} [copied]
+ * @param {Shape & {composition?: Curve["composition"]}} [source]
  * @returns {CurvesDocument | null} null where there is no room
  */
-export function withCurveInside(document, copied) {
+export function withCurveInside(document, source) {
   const { curves, materials, sampling } = document;
   const room = roomIn(curves);
   if (!room) return null;
   const radius = SHARE * room.radius;
-  const source = copied === undefined ? null : curves[copied];
-  const shape = source ? copyAt(source, room.center, radius, copied === outermost(curves)) : circleAt(room.center, radius);
+  const shape = source ? copyAt(source, room.center, radius, source === curves[outermost(curves)]) : circleAt(room.center, radius);
   const material = Math.min(curves.length, materials.length - 1);
   const composition = source?.composition ?? [{ at: 0, mix: materials.map((_, i) => (i === material ? 1 : 0)) }];
   const height = curves[0]?.height ?? 0;
@@ -92,7 +92,7 @@ function circleAt([x, y], radius) {
 
 /**
  * A copy of a curve about another place, no larger than the radius and, unless it has to shrink, as large as it was.
- * @param {Curve} curve
+ * @param {Shape} curve
  * @param {Point} center
  * @param {number} radius
  * @param {boolean} shrinks

@@ -6,7 +6,10 @@
  */
 
 /** A document holds so many curves. */
-export const MOST = 2;
+export const MOST = 16;
+
+/** So many are taken at first where none lies in another. */
+const PAIR = 2;
 
 /**
  * Indices of the shapes to take: the largest one that encloses another, with the largest that it encloses; else the two largest.
@@ -19,8 +22,14 @@ export function firstChoice(shapes) {
     const inner = order.find((index) => index !== outer && encloses(shapes[outer], shapes[index]));
     if (inner !== undefined) return [inner, outer];
   }
-  return order.slice(0, MOST).reverse();
+  return order.slice(0, PAIR).reverse();
 }
+
+/**
+ * Whether shapes lie in each other as the curves of a stack do, rather than side by side in one.
+ * @param {readonly Shape[]} shapes the smallest first
+ */
+export const isNest = (shapes) => shapes.every((shape, k) => k === 0 || encloses(shape, shapes[k - 1]));
 
 /**
  * Whether all vertices of one shape lie inside another.

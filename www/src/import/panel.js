@@ -13,12 +13,14 @@ import { h, svg, write } from "../dom.js";
 import { openDocument } from "../files/open.js";
 import { editable, fixed, significantText } from "../format.js";
 import { openPanel } from "../frame/panel.js";
+import { withCurveInside } from "../harmonic/edits.js";
 import { problem } from "../painter.js";
 import { curveName } from "../state/app.js";
 import { putShape } from "../state/curve-edits.js";
+import { isHarmonic } from "../state/look.js";
 import { whole } from "../state/selection.js";
 import { strings } from "../strings.js";
-import { boxOf, firstChoice, MOST, sizeOf } from "./choose.js";
+import { boxOf, firstChoice, isNest, MOST, sizeOf } from "./choose.js";
 import { drawPreview, frameOf } from "./picture.js";
 import { shapeRow } from "./shape-row.js";
 import { words } from "./words.js";
@@ -84,11 +86,12 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     centered = on;
     render();
   });
-  const place = h("p", { class: "import-note" });
+  const extent = h("p", { class: "import-note" });
   const button = (/** @type {string} */ act, /** @type {string} */ look, /** @type {() => void} */ run) =>
     h("button", { type: "button", class: look, "data-import": act, onclick: run });
   const opening = button("open", "solid", () => void openNew());
-  const placing = [0, 1].map((index) => button(`place-${index}`, "outlined", () => replace(/** @type {0 | 1} */ (index))));
+  const placing = [0, 1].map((k) => button(`place-${k}`, "outlined", () => put(places()[k])));
+  const inside = button("inside", "outlined", putInside);
   const hint = h("p", { class: "import-note", "data-import-hint": "" });
 
   const panel = openPanel({
@@ -103,8 +106,8 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
       row(words.corners, { element: cornerChoice.element }),
       ...(isList ? [row("", { element: throughBox.element })] : []),
       row("", { element: centerBox.element }),
-      place,
-      h("div", { class: "import-commands" }, opening, ...placing),
+      extent,
+      h("div", { class: "import-commands" }, opening, ...placing, inside),
       hint,
     ],
     onclose: () => {
@@ -215,21 +218,34 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
       const { low, high } = boxOf(all);
       const size = [high[0] - low[0], high[1] - low[1]].map((v) => significantText(v));
       const middle = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2].map((v) => fixed(v, 2));
-      write(place, words.place(size, document.unit, centered ? null : middle));
+      write(extent, words.place(size, document.unit, centered ? null : middle));
     }
-    place.hidden = all.length === 0;
+    extent.hidden = all.length === 0;
 
     const ready = shown.length > 0 && shown.every(({ curve }) => curve);
     write(opening, words.open);
     opening.disabled = !ready;
-    placing.forEach((each, index) => {
-      // A document with no curve or one takes the shape for the next.
-      each.hidden = index > document.curves.length;
-      write(each, document.curves[index] ? words.replace(curveName(document, index)) : words.add);
-      each.disabled = !ready || shown.length !== 1;
+    const isOne = ready && shown.length === 1;
+    placing.forEach((each, k) => {
+      const index = places()[k];
+      each.hidden = index === undefined;
+      write(each, index === undefined ? "" : document.curves[index] ? words.replace(curveName(document, index)) : words.add);
+      each.disabled = !isOne;
     });
-    write(hint, shown.length === 0 ? words.chooseSome : shown.length === 1 ? "" : words.chooseOne);
-    hint.hidden = shown.length === 1;
+    write(inside, words.addInside);
+    inside.hidden = !isHarmonic(document) || document.curves.length < 2 || document.curves.length >= MOST;
+    inside.disabled = !isOne;
+    const several = isNest(shown.map(({ shape }) => shape)) ? words.stack : words.harmonic;
+    const hinted = [words.chooseSome, "", words.chooseOne][shown.length] ?? several;
+    write(hint, hinted);
+    hint.hidden = hinted === "";
+  }
+
+  /** The curves that one shape may become: of a pair either or the next one, and of more curves the one that is chosen. */
+  function places() {
+    const { curves } = app.store.document;
+    if (curves.length < 2) return Array.from({ length: curves.length + 1 }, (_, index) => index);
+    return curves.length === 2 ? [0, 1] : [Math.min(app.ui.value.selection?.curve ?? 0, curves.length - 1)];
   }
 
   /** The curve of earlier settings, so that the picture does not flicker. @param {number} k */
@@ -263,33 +279,64 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     const by = centered ? [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2] : [0, 0];
     return shown.flatMap(({ shape, curve }) => {
       if (!curve) return [];
-      const places = isList && through ? 12 : decimals((percent / 100) * sizeOf(shape.points));
-      const points = curve.points.map(([x, y]) => /** @type {Point} */ ([rounded(x - by[0], places), rounded(y - by[1], places)]));
+      const digits = isList && through ? 12 : decimals((percent / 100) * sizeOf(shape.points));
+      const points = curve.points.map(([x, y]) => /** @type {Point} */ ([rounded(x - by[0], digits), rounded(y - by[1], digits)]));
       return [{ ...curve, name: shape.name, points }];
     });
   }
 
   async function openNew() {
     const { unit } = app.store.document;
+    const all = taken().map(({ shape }) => shape);
+    const isStack = isNest(all);
+    // From the first material to the second: curve by curve through a stack, and else from all inner curves to the outer one.
+    const graded = curves().map((curve, k) => {
+      const share = isStack ? k / Math.max(1, all.length - 1) : k === all.length - 1 ? 1 : 0;
+      return { ...curve, composition: [{ at: 0, mix: [1 - share, share] }] };
+    });
+    const several = all.length > 2 ? { curves: graded, ...(isStack ? {} : { blend: { kind: "harmonic" } }) } : {};
     const title = name.replace(/\.\w{1,5}$/, "").slice(0, 200) || strings.untitled;
-    const raw = { directrix: 1, kind: "curves", title, unit, curves: curves(), matching: { method: "exact", oneToOne: true } };
+    const raw = { directrix: 1, kind: "curves", title, unit, curves: curves(), matching: { method: "exact", oneToOne: true }, ...several };
     if (await openDocument(app, raw, name, { edited: true })) {
       panel?.close();
       app.say(words.opened(title));
     }
   }
 
-  /** @param {0 | 1} index */
-  function replace(index) {
+  /** @param {number} index of the curve that the shape replaces, or becomes */
+  function put(index) {
     const [curve] = curves();
     if (!curve) return;
-    app.store.endRun();
     const was = app.store.document.curves[index];
     const { name: shapeName, ...shape } = curve;
-    app.store.commit({ change: (document) => named(putShape(document, index, shape), index, was ? undefined : shapeName) });
+    place(index, (document) => named(putShape(document, index, shape), index, was ? undefined : shapeName));
+  }
+
+  /** Another inner curve: where it was drawn, or where there is room for it. */
+  function putInside() {
+    const [curve] = curves();
+    if (!curve) return;
+    const { document } = app.store;
+    const index = document.curves.length;
+    const { name: shapeName, ...shape } = curve;
+    const next = centered ? withCurveInside(document, shape) : putShape(document, index, shape);
+    if (next) {
+      place(index, () => named(next, index, shapeName));
+      return;
+    }
+    write(hint, words.noRoom);
+    hint.hidden = false;
+    app.say(words.noRoom);
+  }
+
+  /** @param {number} index @param {(document: CurvesDocument) => CurvesDocument} change */
+  function place(index, change) {
+    app.store.endRun();
+    app.store.commit({ change });
     app.ui.set({ selection: whole(index), fitted: true, view: null });
     panel?.close();
-    app.say(words.placed(curveName(app.store.document, index), curve.points.length));
+    const { document } = app.store;
+    app.say(words.placed(curveName(document, index), document.curves[index].points.length));
   }
 }
 

@@ -24,8 +24,12 @@ export const words = {
   open: "Open as new document",
   replace: (/** @type {string} */ curve) => `Replace ${inSentence(curve)}`,
   add: "Add as a curve",
+  addInside: "Add inside",
   chooseOne: "To replace a curve, choose one shape.",
-  chooseSome: "Choose one or two shapes.",
+  chooseSome: "Choose one shape or more.",
+  stack: "These shapes lie in each other: a stack of curves, from the inside out.",
+  harmonic: "More than two shapes, not each in the next: a harmonic blend, with the largest one outside.",
+  noRoom: "There is no room inside for this shape; take “Centre at the origin” off to put it where it was drawn.",
   found: (/** @type {number} */ shapes, /** @type {number} */ skipped) =>
     `${plural(shapes, "shape", "shapes")} found${skipped > 0 ? `, ${skipped} skipped` : ""}`,
   nothing: "it holds no closed shape",
