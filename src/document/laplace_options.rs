@@ -116,7 +116,7 @@ pub(super) fn solver(node: &Node<'_>) -> Result<LaplaceOptions, DocumentError> {
     })
 }
 
-/// Reads the pixels of a section: `origin`, `sides` and `size`; in the plane all but `size` may be left out, and `longest` may stand for it.
+/// Reads the pixels of a section: `origin`, `sides` and `size`; in the plane `longest` may stand for all of them.
 ///
 /// # Errors
 /// When a field is unknown, missing, of the wrong type or out of range, with its path.
@@ -131,6 +131,7 @@ pub fn read_frame(options: &Json, solution: &Solution) -> Result<Frame, Document
                 "it was found in space; expected `origin`, `sides` and `size`".to_owned(),
             ));
         }
+        root.only(&["longest"])?;
         return Ok(Frame::of_plane(solution, longest.count_within(1..=2048)?));
     }
     let vector = |node: &Node<'_>| -> Result<DVec3, DocumentError> {

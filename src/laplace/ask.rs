@@ -52,7 +52,7 @@ impl PointsJob {
     ) -> Result<Self, LaplaceError> {
         if points.len() > MOST_POINTS {
             let message = format!("{} points were found; expected {MOST_POINTS} at most", points.len());
-            return Err(LaplaceError::new(Fault::Limit, message));
+            return Err(LaplaceError::new(Fault::Points, message));
         }
         if let Some(wrong) = points.iter().position(|point| !point.is_finite()) {
             let message = format!("{} was found; expected finite coordinates", points[wrong]);

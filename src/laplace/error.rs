@@ -21,7 +21,7 @@ pub enum Fault {
     Apart,
     /// The boundary meets itself.
     Meeting,
-    /// A condition is not finite, or there is another number of them than of elements.
+    /// A condition is not finite, too large or no fraction, or there is another number of them than of elements.
     Conditions,
     /// Fluxes alone are given, and they do not sum to nothing.
     Imbalance,
@@ -31,10 +31,12 @@ pub enum Fault {
     Limit,
     /// The method cannot be used for this size, or an option of it is out of range.
     Method,
-    /// A point is not finite.
+    /// A point is not finite, or there are too many.
     Points,
-    /// A section has no pixels, too many, or no plane.
+    /// A section has no pixels, or too many.
     Section,
+    /// The sides of a section span no plane, or leave that of the problem.
+    Sides,
     /// A point lies outside.
     Outside,
 }

@@ -72,7 +72,8 @@ impl Mesh {
         let wrong = vertices.iter().position(|v| !(v.is_finite() && v.abs().max_element() <= LARGEST));
         if let Some(wrong) = wrong {
             let [x, y, z] = vertices[wrong].to_array();
-            let message = format!("({x}, {y}, {z}) was found; expected finite coordinates up to {LARGEST:e}");
+            let message =
+                format!("({x:e}, {y:e}, {z:e}) was found; expected finite coordinates up to {LARGEST:e}");
             return Err(LaplaceError::new(Fault::Vertices, message).of(wrong));
         }
         let least = if space == Space::Plane { 3 } else { 4 };

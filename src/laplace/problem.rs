@@ -11,6 +11,9 @@ pub const MOST_MATERIALS: usize = 16;
 /// How far fractions may be from the sum 1, and fluxes of fractions from the sum 0 over the largest of them.
 const SUM: f64 = 1e-6;
 
+/// Greatest size of a number of a condition; beyond, sums leave what numbers can hold.
+const LARGEST: f64 = 1e100;
+
 /// With fluxes alone: the share of the whole flux that may be missing, and is spread evenly.
 const IMBALANCE: f64 = 0.02;
 
@@ -34,6 +37,8 @@ pub struct Problem {
     pub(super) scaling: Scaling,
     /// For each material solved for, what is taken off its values: the middle of those that are given.
     pub(super) shifts: Vec<f64>,
+    /// For each material solved for, what its data are divided by, about the largest of them, so that single precision holds them.
+    pub(super) sizes: Vec<f64>,
     /// Largest share of the whole flux that was missing and spread.
     pub(super) imbalance: f64,
 }
@@ -69,15 +74,24 @@ impl Conditions {
         }
         for element in 0..elements {
             let data = self.data.iter().map(|data| data[element]);
-            if let Some(wrong) = data.clone().find(|datum| !datum.is_finite()) {
-                return Err(conditions(format!("{wrong} was found; expected a finite number")).of(element));
+            let is_number = |datum: &f64| datum.is_finite() && datum.abs() <= LARGEST;
+            if let Some(wrong) = data.clone().find(|datum| !is_number(datum)) {
+                let message =
+                    format!("{wrong:e} was found; expected a finite number up to {LARGEST:e} either way");
+                return Err(conditions(message).of(element));
             }
             if !self.are_fractions {
                 continue;
             }
+            let (is_value, expected) = (self.is_value[element], f64::from(u8::from(self.is_value[element])));
+            let is_fraction = |datum: &f64| !is_value || (-SUM..=1.0 + SUM).contains(datum);
+            if let Some(wrong) = data.clone().find(|datum| !is_fraction(datum)) {
+                return Err(
+                    conditions(format!("{wrong} was found; expected a fraction from 0 to 1")).of(element)
+                );
+            }
             let sum: f64 = data.clone().sum();
             let largest = data.fold(0.0, |most: f64, datum| most.max(datum.abs()));
-            let (is_value, expected) = (self.is_value[element], f64::from(u8::from(self.is_value[element])));
             if (sum - expected).abs() > SUM * if is_value { 1.0 } else { largest } {
                 let what = if is_value { "values" } else { "fluxes" };
                 let message = format!("the {what} of the materials sum to {sum}; expected {expected}");
@@ -92,7 +106,7 @@ impl Problem {
     /// Checks the boundary and its conditions.
     ///
     /// # Errors
-    /// When the boundary does not enclose one body; when there are not as many conditions as elements, one is not finite, or fractions do not sum to 1; when
+    /// When the boundary does not enclose one body; when there are not as many conditions as elements, one is not finite or too large, or fractions are none or do not sum to 1; when
     /// fluxes alone are given and more than a fiftieth of their size is missing to balance them.
     pub fn new(mesh: Mesh, conditions: Conditions) -> Result<Self, LaplaceError> {
         let n = mesh.elements().len();
@@ -100,10 +114,12 @@ impl Problem {
         let enclosed = enclosed(&mesh)?;
         let shifts = (0..conditions.solved()).map(|material| middle(&conditions, material)).collect();
         let scaling = mesh.scaling();
-        let mut problem = Self { mesh, conditions, enclosed, scaling, shifts, imbalance: 0.0 };
+        let mut problem =
+            Self { mesh, conditions, enclosed, scaling, shifts, sizes: Vec::new(), imbalance: 0.0 };
         if !problem.conditions.is_value.contains(&true) {
             problem.balance()?;
         }
+        problem.sizes = (0..problem.conditions.solved()).map(|material| problem.size(material)).collect();
         Ok(problem)
     }
 
@@ -153,15 +169,22 @@ impl Problem {
 
     /// The data in the units of computing.
     pub(super) fn given(&self) -> Given {
-        let is_value = self.conditions.is_value.clone();
-        let scaled = |(data, shift): (&Vec<f64>, &f64)| {
-            let of = |(datum, is_value): (&f64, &bool)| {
-                if *is_value { datum - shift } else { datum / self.scaling.scale() }
-            };
-            data.iter().zip(&is_value).map(of).collect()
-        };
-        let data = self.conditions.data.iter().zip(&self.shifts).map(scaled).collect();
-        Given { is_value, data }
+        let of = |(material, size): (usize, &f64)| self.moved(material).map(|datum| datum / size).collect();
+        let data = self.sizes.iter().enumerate().map(of).collect();
+        Given { is_value: self.conditions.is_value.clone(), data }
+    }
+
+    /// The data of a material, values less the shift and fluxes by the lengths of computing.
+    fn moved(&self, material: usize) -> impl Iterator<Item = f64> {
+        let (shift, scale) = (self.shifts[material], self.scaling.scale());
+        let data = self.conditions.data[material].iter().zip(&self.conditions.is_value);
+        data.map(move |(datum, is_value)| if *is_value { datum - shift } else { datum / scale })
+    }
+
+    /// The power of 2 next below the largest of the data of a material, by which nothing is rounded; 1 where all are 0.
+    fn size(&self, material: usize) -> f64 {
+        let largest = self.moved(material).fold(0.0, |most: f64, datum| most.max(datum.abs()));
+        if largest > 0.0 { largest.log2().floor().exp2() } else { 1.0 }
     }
 }
 

@@ -18,7 +18,7 @@ impl Solution {
             sum += sum_of(&values, &field.flux_slots[slots.clone()], Some(&field.value_slots[slots]));
             winding += values.double_sum();
         }
-        let value = sum / winding + field.shift;
+        let value = field.outwards(sum / winding);
         (winding > INSIDE).then(|| field.range.map_or(value, |[low, high]| value.clamp(low, high)))
     }
 }

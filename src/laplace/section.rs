@@ -32,6 +32,9 @@ const FLUSHED: usize = 32;
 /// Panels times points between two looks at the clock, about.
 const BATCH: usize = 1 << 14;
 
+/// Sine of the angle between sides below which they span no plane.
+const PARALLEL: f64 = 1e-12;
+
 /// Most pixels of a section.
 pub const MOST_PIXELS: usize = 1 << 22;
 
@@ -148,13 +151,16 @@ impl Frame {
             );
         }
         let [u, v] = self.sides;
-        let area = u.cross(v).length();
-        if !(self.origin.is_finite() && area.is_finite() && area > 0.0) {
-            return fault(Fault::Section, format!("the sides {u} and {v} at {} span no plane", self.origin));
+        // Of unit length, so that bodies of any size have sections.
+        let unit = |side: DVec3| (side / side.abs().max_element()).normalize_or_zero();
+        if !(self.origin.is_finite() && unit(u).cross(unit(v)).length() > PARALLEL) {
+            let [u, v] = self.sides.map(|side| format!("({:e}, {:e}, {:e})", side.x, side.y, side.z));
+            let message = format!("{u} and {v} were found; expected two sides that span a plane");
+            return fault(Fault::Sides, message);
         }
         if space == Space::Plane && [self.origin, u, v].iter().any(|part| part.z != 0.0) {
             return fault(
-                Fault::Section,
+                Fault::Sides,
                 "the section leaves the plane of the problem; expected no third coordinate".to_owned(),
             );
         }

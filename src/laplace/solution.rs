@@ -32,27 +32,34 @@ pub struct Solution {
 /// What is known of a material on the boundary, in the units of computing.
 #[derive(Debug, Clone)]
 pub(super) struct Field {
-    /// Values of the panels, less the shift.
+    /// Values of the panels, less the shift and over the size.
     values: Vec<f64>,
     fluxes: Vec<f64>,
     /// The same for each slot.
     pub(super) value_slots: Vec<f32>,
     pub(super) flux_slots: Vec<f32>,
     /// Taken off the values.
-    pub(super) shift: f64,
+    shift: f64,
+    /// Values less the shift, and fluxes, are divided by it.
+    size: f64,
     /// Least and greatest value inside by the maximum principle.
     pub(super) range: Option<[f64; 2]>,
 }
 
 impl Field {
-    /// The value of a panel, less the shift.
+    /// The value of a panel, less the shift and over the size.
     pub(super) fn value(&self, panel: usize) -> f64 {
         self.values[panel]
     }
 
-    /// The flux of a panel.
+    /// The flux of a panel, over the size.
     pub(super) fn flux(&self, panel: usize) -> f64 {
         self.fluxes[panel]
+    }
+
+    /// A value in the units of the data.
+    pub(super) fn outwards(&self, value: f64) -> f64 {
+        value * self.size + self.shift
     }
 }
 
@@ -96,15 +103,16 @@ impl Solution {
                     .map(|panel| list.get(*panel as usize).map_or(0.0, |x| *x as f32))
                     .collect()
             };
-            let shift = problem.shifts[material];
-            Field {
+            let field = Field {
                 value_slots: slots(&values),
                 flux_slots: slots(&fluxes),
-                range: range(&problem.conditions, material, &values, shift),
+                range: None,
                 values,
                 fluxes,
-                shift,
-            }
+                shift: problem.shifts[material],
+                size: problem.sizes[material],
+            };
+            Field { range: range(&problem.conditions, material, &field), ..field }
         };
         let fields = solved.into_iter().enumerate().map(field).collect();
         Self { panels: Rc::clone(&panels), fields, convergences, condition, row_closure, problem }
@@ -143,7 +151,7 @@ impl Solution {
     /// For each material a value on each element.
     #[must_use]
     pub fn values(&self) -> Vec<Vec<f64>> {
-        let field = |field: &Field| field.values.iter().map(|value| value + field.shift).collect();
+        let field = |field: &Field| field.values.iter().map(|value| field.outwards(*value)).collect();
         self.completed(self.fields.iter().map(field).collect(), 1.0)
     }
 
@@ -151,7 +159,7 @@ impl Solution {
     #[must_use]
     pub fn fluxes(&self) -> Vec<Vec<f64>> {
         let scale = self.problem.scaling.scale();
-        let field = |field: &Field| field.fluxes.iter().map(|flux| flux * scale).collect();
+        let field = |field: &Field| field.fluxes.iter().map(|flux| flux * field.size * scale).collect();
         self.completed(self.fields.iter().map(field).collect(), 0.0)
     }
 
@@ -217,7 +225,8 @@ impl Solution {
                 *gradient += layers[0] * field.fluxes[number] + layers[1] * (field.values[number] - own);
             }
         }
-        gradients.iter_mut().for_each(|gradient| *gradient *= self.problem.scaling.scale());
+        let scale = self.problem.scaling.scale();
+        gradients.iter_mut().zip(&self.fields).for_each(|(gradient, field)| *gradient *= field.size * scale);
         if self.problem.conditions.are_fractions {
             gradients.push(-gradients.iter().sum::<DVec3>());
         }
@@ -277,7 +286,7 @@ impl Solution {
         let mut is_clamped = false;
         values.clear();
         for (sum, field) in sums.into_iter().zip(&self.fields) {
-            let value = sum / winding + field.shift;
+            let value = field.outwards(sum / winding);
             let shown = field.range.map_or(value, |[low, high]| value.clamp(low, high));
             // What rounding does is not counted.
             is_clamped |= (shown - value).abs() > 1e-6 * field.range.map_or(0.0, |[low, high]| high - low);
@@ -296,19 +305,21 @@ impl Solution {
 }
 
 /// Least and greatest value by the maximum principle: those that are given, and those that were found where something flows in or out. Where nothing does,
-/// there is no extreme value (Hopf).
-fn range(conditions: &Conditions, material: usize, values: &[f64], shift: f64) -> Option<[f64; 2]> {
+/// there is no extreme value (Hopf). Fractions are none below 0 and above 1, whatever fluxes ask for.
+fn range(conditions: &Conditions, material: usize, field: &Field) -> Option<[f64; 2]> {
     if !conditions.is_value.contains(&true) {
         return None;
     }
     let flows = |(_, (is_value, datum)): &(&f64, (&bool, &f64))| **is_value || **datum != 0.0;
     let data = conditions.is_value.iter().zip(&conditions.data[material]);
-    let bounding = values
+    let bounding = field
+        .values
         .iter()
         .zip(data)
         .filter(flows)
-        .map(|(value, (is_value, datum))| if *is_value { *datum } else { value + shift });
+        .map(|(value, (is_value, datum))| if *is_value { *datum } else { field.outwards(*value) });
     let (low, high) =
         bounding.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-    Some([low, high])
+    let limit = |x: f64| if conditions.are_fractions { x.clamp(0.0, 1.0) } else { x };
+    Some([limit(low), limit(high)])
 }

@@ -222,6 +222,7 @@ pub(super) fn fault(error: &LaplaceError, dimension: usize) -> JsValue {
         Fault::Method => ("range", "solver"),
         Fault::Points => ("range", "points"),
         Fault::Section => ("range", "size"),
+        Fault::Sides => ("range", "sides"),
         Fault::Outside => ("outside", "points"),
     };
     let path = error.index.map_or_else(|| list.to_owned(), |index| format!("{list}[{index}]"));

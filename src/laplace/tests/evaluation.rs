@@ -1,7 +1,7 @@
 //! Values near the boundary, on it and outside, gradients, and sections.
 
 use super::*;
-use crate::laplace::{Frame, SectionJob};
+use crate::laplace::{Fault, Frame, SectionJob};
 use glam::DVec3;
 
 #[test]
@@ -244,4 +244,19 @@ fn a_section_needs_pixels_in_a_plane() {
     assert!(SectionJob::new(&ring, Frame { sides: [DVec3::X, DVec3::Z], ..frame }).is_err());
     let whole = Frame::of_plane(&ring, 64);
     assert_eq!(whole.size, [64, 64]);
+}
+
+#[test]
+fn bodies_of_any_size_have_sections() {
+    for size in [1e-60, 1e90] {
+        let mesh = samples::cube(1);
+        let vertices = mesh.vertices().iter().map(|v| *v * size).collect();
+        let mesh = Mesh::solid(vertices, mesh.elements().to_vec()).unwrap();
+        let solution = solved(mesh, |panel| Ok(panel.centre.x / size));
+        let frame = |sides: [DVec3; 2]| Frame { origin: DVec3::Z * (0.5 * size), sides, size: [8, 8] };
+        let section = SectionJob::new(&solution, frame([DVec3::X * size, DVec3::Y * size])).unwrap().run();
+        assert_eq!(section.inside, 64);
+        let flat = SectionJob::new(&solution, frame([DVec3::X * size, DVec3::X * (2.0 * size)]));
+        assert!(flat.is_err_and(|error| error.fault == Fault::Sides));
+    }
 }

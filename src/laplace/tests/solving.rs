@@ -74,13 +74,13 @@ fn gmres_and_lu_find_what_elimination_finds() {
         let mesh = samples::cube(3);
         let given = conditions(&mesh, mixed);
         let solution = solve(Problem::new(mesh, given.clone()).unwrap(), options).unwrap();
-        let scale = solution.problem().scaling.scale();
+        let (scale, size) = (solution.problem().scaling.scale(), solution.problem().sizes[0]);
         let (values, fluxes) = (&solution.values()[0], &solution.fluxes()[0]);
         for (element, is_value) in given.is_value.iter().enumerate() {
             let found = if *is_value {
-                fluxes[element] / scale
+                fluxes[element] / scale / size
             } else {
-                values[element] - solution.problem().shifts[0]
+                (values[element] - solution.problem().shifts[0]) / size
             };
             assert!(
                 (found - expected[element]).abs() < 1e-9,
@@ -324,4 +324,48 @@ fn a_job_advances_in_small_steps_and_gives_the_same() {
         assert_eq!(found.fluxes(), whole.fluxes());
         assert_eq!(found.condition(), whole.condition());
     }
+}
+
+/// Numbers on elements and inside are held in single precision, which ends at 3e38 and begins at 1e-38.
+#[test]
+fn data_of_any_size_have_the_same_solution() {
+    let data = |size: f64| {
+        move |panel: &Panel| {
+            if panel.normal.x > 0.5 { Err(size) } else { Ok(size * (panel.centre.z + 0.5)) }
+        }
+    };
+    let place = DVec3::new(0.4, 0.3, 0.6);
+    let [one, others @ ..] = [1.0, 1e-90, 1e-30, 1e50, 1e99].map(|size| {
+        let solution = solved(samples::cube(3), data(size));
+        let (flux, gradient) = (solution.fluxes()[0][0] / size, solution.gradient(place).unwrap()[0] / size);
+        let range = solution.ranges()[0].unwrap().map(|end| end / size);
+        [value(&solution, place) / size, flux, gradient.x, range[0], range[1]]
+    });
+    for other in others {
+        assert!(one.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-5), "{other:?}, not {one:?}");
+    }
+    let mesh = samples::cube(1);
+    let wrong = conditions(&mesh, |_| Ok(1e101));
+    assert_eq!(Problem::new(mesh, wrong).unwrap_err().fault, Fault::Conditions);
+}
+
+/// Fluxes can ask for less than nothing of a material, or for more than all.
+#[test]
+fn fractions_stay_fractions_whatever_flows() {
+    let mesh = samples::cube(3);
+    let panels = mesh.panels();
+    let made = |data: &dyn Fn(&Panel) -> [f64; 2]| {
+        let is_value = panels.iter().map(|panel| panel.normal.z < 0.5).collect();
+        let data = [0, 1].map(|k| panels.iter().map(|panel| data(panel)[k]).collect()).into();
+        Problem::new(mesh.clone(), Conditions { is_value, data, are_fractions: true })
+    };
+    for flux in [8.0, -8.0] {
+        let problem = made(&|panel| if panel.normal.z < 0.5 { [0.5, 0.5] } else { [flux, -flux] }).unwrap();
+        let solution = solve(problem, LaplaceOptions::default()).unwrap();
+        let found = solution.at(DVec3::new(0.5, 0.5, 0.95)).unwrap();
+        assert!(found.is_clamped && found.values.iter().all(|x| (0.0..=1.0).contains(x)), "{found:?}");
+        assert_eq!(found.values.iter().sum::<f64>(), 1.0);
+    }
+    let error = made(&|_| [1.5, -0.5]).unwrap_err();
+    assert_eq!((error.fault, error.message.contains("1.5")), (Fault::Conditions, true));
 }
