@@ -1,6 +1,6 @@
 import { asking, inNames, methods } from "./body.js";
 import { DirectrixError, fromModule } from "./errors.js";
-import { asking as askingLaplace, askingBoundary, solving } from "./laplace.js";
+import { asking as askingLaplace, askingBoundary, solving, told } from "./laplace.js";
 import { merged } from "./merge.js";
 import { packed, valueOf } from "./operations.js";
 import { askingPart, partArguments, partMethods } from "./part.js";
@@ -290,7 +290,7 @@ export function createApi(engine) {
       ask(() => {
         const list = bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes;
         if (!(list instanceof Uint8Array)) {
-          throw new DirectrixError("type", "bytes", `${String(list)} was found; expected a Uint8Array or an ArrayBuffer`);
+          throw new DirectrixError("type", "bytes", `${told(list)} was found; expected a Uint8Array or an ArrayBuffer`);
         }
         return whole(engine, "readMesh").readMesh(list);
       }),

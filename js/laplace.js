@@ -14,6 +14,9 @@
 import { DirectrixError } from "./errors.js";
 import { toText } from "./text.js";
 
+/** Most materials of a problem. */
+const MOST_MATERIALS = 16;
+
 /**
  * What the module keeps of each solution.
  *
@@ -21,28 +24,42 @@ import { toText } from "./text.js";
  */
 const kept = new WeakMap();
 
-/** @param {string} code @param {string} path @param {unknown} found @param {string} expected @returns {never} */
-function refuse(code, path, found, expected) {
-  throw new DirectrixError(code, path, `${String(found)} was found; expected ${expected}`);
+/**
+ * A value as a message tells it: of lists and objects their kind, as they may be long.
+ *
+ * @param {unknown} value
+ * @returns {string}
+ */
+export function told(value) {
+  if (typeof value === "string") return JSON.stringify(value.slice(0, 40));
+  if (Array.isArray(value)) return `a list of ${value.length}`;
+  if (typeof value === "object" && value !== null) return isList(value) ? `a ${value.constructor.name} of ${value.length}` : "an object";
+  return String(value).slice(0, 40);
 }
+
+/** @param {string} code @param {string} path @param {string} found @param {string} expected @returns {never} */
+function refuse(code, path, found, expected) {
+  throw new DirectrixError(code, path, `${found} was found; expected ${expected}`);
+}
+
+/** Whether a value is a list, a plain or a typed one. @param {unknown} list @returns {list is ArrayLike<unknown>} */
+const isList = (list) => Array.isArray(list) || (ArrayBuffer.isView(list) && !(list instanceof DataView));
 
 /** @param {unknown} list @param {string} path @returns {Float64Array} */
 function numbers(list, path) {
   if (list instanceof Float64Array) return list;
-  if (!Array.isArray(list) && !(list instanceof Float32Array)) refuse("type", path, list, "a Float64Array or a list of numbers");
-  return Float64Array.from(/** @type {ArrayLike<unknown>} */ (list), (value, n) =>
-    typeof value === "number" ? value : refuse("type", `${path}[${n}]`, value, "a number"),
-  );
+  if (!isList(list)) refuse("type", path, told(list), "a list of numbers, such as a Float64Array");
+  return Float64Array.from(list, (value, n) => (typeof value === "number" ? value : refuse("type", `${path}[${n}]`, told(value), "a number")));
 }
 
 /** @param {unknown} list @param {string} path @returns {Uint32Array} */
 function indices(list, path) {
   if (list instanceof Uint32Array) return list;
-  if (!Array.isArray(list)) refuse("type", path, list, "a Uint32Array or a list of whole numbers");
-  return Uint32Array.from(/** @type {unknown[]} */ (list), (value, n) =>
+  if (!isList(list)) refuse("type", path, told(list), "a list of whole numbers, such as a Uint32Array");
+  return Uint32Array.from(list, (value, n) =>
     typeof value === "number" && Number.isInteger(value) && value >= 0 && value < 2 ** 32
       ? value
-      : refuse("type", `${path}[${n}]`, value, "a whole number from 0 on"),
+      : refuse("type", `${path}[${n}]`, told(value), "a whole number from 0 on"),
   );
 }
 
@@ -54,7 +71,7 @@ function indices(list, path) {
  * @returns {{ isValue: boolean, data: number[] }}
  */
 function conditionOf(condition, path) {
-  if (typeof condition !== "object" || condition === null) refuse("missing", path, condition, "an object with `value` or `flux`");
+  if (typeof condition !== "object" || condition === null) refuse("missing", path, told(condition), "an object with `value` or `flux`");
   const { value, flux, ...rest } = /** @type {any} */ (condition);
   const [unknown] = Object.keys(rest);
   if (unknown !== undefined) throw new DirectrixError("unknown-field", `${path}.${unknown}`, "there is no such field; expected `value` or `flux`");
@@ -65,11 +82,12 @@ function conditionOf(condition, path) {
   const isValue = value !== undefined;
   const given = isValue ? value : flux;
   const own = `${path}.${isValue ? "value" : "flux"}`;
-  const data = Array.isArray(given) ? given : [given];
+  const data = isList(given) ? Array.from(given) : [given];
+  if (data.length < 1 || data.length > MOST_MATERIALS) refuse("range", own, told(given), `a number, or a list with one for each of 1 to ${MOST_MATERIALS} materials`);
   data.forEach((number, k) => {
-    const place = Array.isArray(given) ? `${own}[${k}]` : own;
-    if (typeof number !== "number") refuse("type", place, number, "a number, or a list with one for each material");
-    if (!Number.isFinite(number)) refuse("non-finite", place, number, "a finite number");
+    const place = isList(given) ? `${own}[${k}]` : own;
+    if (typeof number !== "number") refuse("type", place, told(number), "a number, or a list with one for each material");
+    if (!Number.isFinite(number)) refuse("non-finite", place, told(number), "a finite number");
   });
   return { isValue, data };
 }
@@ -80,37 +98,40 @@ function conditionOf(condition, path) {
  * @param {LaplaceInput} input
  */
 function read(input) {
-  if (typeof input !== "object" || input === null) refuse("type", "", input, "an object");
+  if (typeof input !== "object" || input === null) refuse("type", "", told(input), "an object");
   const { vertices, elements, conditions, groups, composition, dimension, solver, ...rest } = input;
   const [unknown] = Object.keys(rest);
   if (unknown !== undefined) throw new DirectrixError("unknown-field", unknown, "there is no such field");
-  if (dimension !== 2 && dimension !== 3) refuse(dimension === undefined ? "missing" : "range", "dimension", dimension, "2 or 3");
+  if (dimension !== 2 && dimension !== 3) refuse(dimension === undefined ? "missing" : "range", "dimension", told(dimension), "2 or 3");
   const places = numbers(vertices, "vertices");
-  if (places.length % dimension !== 0) refuse("range", "vertices", `${places.length} numbers`, `${dimension} for each vertex`);
+  if (places.length % dimension !== 0) refuse("range", "vertices", told(vertices), `${dimension} numbers for each vertex`);
   const corners = indices(elements, "elements");
-  if (corners.length % dimension !== 0) refuse("range", "elements", `${corners.length} numbers`, `${dimension} for each element`);
+  if (corners.length % dimension !== 0) refuse("range", "elements", told(elements), `${dimension} numbers for each element`);
   const count = corners.length / dimension;
-  if (!Array.isArray(conditions)) refuse(conditions === undefined ? "missing" : "type", "conditions", conditions, "a list");
+  if (!Array.isArray(conditions)) refuse(conditions === undefined ? "missing" : "type", "conditions", told(conditions), "a list");
   const of = groups === undefined ? null : indices(groups, "groups");
-  if (of && of.length !== count) refuse("range", "groups", `${of.length} numbers`, `one for each of ${count} elements`);
+  if (of && of.length !== count) refuse("range", "groups", told(groups), `a number for each of ${count} elements`);
   if (!of && conditions.length !== count) {
-    refuse("range", "conditions", `${conditions.length} conditions`, `one for each of ${count} elements, or \`groups\``);
+    refuse("range", "conditions", told(conditions), `one for each of ${count} elements, or \`groups\``);
   }
   const list = /** @type {unknown[]} */ (Array.from(conditions)).map((condition, n) => conditionOf(condition, `conditions[${n}]`));
   const materials = list[0]?.data.length ?? 1;
   const odd = list.findIndex(({ data }) => data.length !== materials);
-  if (odd >= 0) refuse("range", `conditions[${odd}]`, `${list[odd].data.length} numbers`, `${materials}, as in the first condition`);
+  if (odd >= 0) refuse("range", `conditions[${odd}]`, `a list of ${list[odd].data.length}`, `${materials}, as in the first condition`);
   const isValue = new Uint8Array(count);
   const data = new Float64Array(count * materials);
   for (let element = 0; element < count; element++) {
     const condition = list[of ? of[element] : element];
-    if (!condition) refuse("range", `groups[${element}]`, of?.[element], `the index of a condition, 0 to ${list.length - 1}`);
+    if (!condition) refuse("range", `groups[${element}]`, told(of?.[element]), `the index of a condition, 0 to ${list.length - 1}`);
     isValue[element] = condition.isValue ? 1 : 0;
     data.set(condition.data, element * materials);
   }
   const options = toText({ dimension, materials, ...(composition === undefined ? {} : { composition }), ...(solver === undefined ? {} : { solver }) });
   return { options, places, corners, isValue, data, of };
 }
+
+/** @type {Question[]} */
+const QUESTIONS = ["at", "gradientAt", "section"];
 
 /** @param {number[] | ArrayLike<number>} lists @returns {any} */
 const asLists = (lists) => Array.from(lists);
@@ -165,7 +186,7 @@ function solutionOf(solved, ask) {
   /** @type {any} */
   const solution = ask(() => summaryOf(solved));
   kept.set(solution, solved);
-  for (const question of /** @type {Question[]} */ (["at", "gradientAt", "section"])) {
+  for (const question of QUESTIONS) {
     solution[question] = (/** @type {any} */ first, /** @type {any} */ options) => {
       const work = asking(solution, question, { first, options }, ask);
       work.step(Infinity);
@@ -186,15 +207,18 @@ function solutionOf(solved, ask) {
  */
 export function asking(solution, question, { first, options }, ask) {
   const solved = kept.get(solution);
-  if (!solved) refuse("type", "", solution, "a solution of solveLaplace");
+  if (!solved) refuse("type", "", told(solution), "a solution of solveLaplace");
+  if (!QUESTIONS.includes(question)) refuse("range", "question", told(question), QUESTIONS.join(", "));
   const start = () => {
     if (question === "section") return solved.section(toText(first, "frame"));
     const points = numbers(first, "points");
     if (points.length % solution.dimension !== 0) {
-      refuse("range", "points", `${points.length} numbers`, `${solution.dimension} for each point`);
+      refuse("range", "points", told(first), `${solution.dimension} numbers for each point`);
     }
-    const { outside = "refuse" } = options ?? {};
-    if (outside !== "refuse" && outside !== "skip") refuse("range", "options.outside", outside, "`refuse` or `skip`");
+    const { outside = "refuse", ...rest } = options ?? {};
+    const [unknown] = Object.keys(rest);
+    if (unknown !== undefined) throw new DirectrixError("unknown-field", `options.${unknown}`, "there is no such field; expected `outside`");
+    if (outside !== "refuse" && outside !== "skip") refuse("range", "options.outside", told(outside), "`refuse` or `skip`");
     return solved.points(points, question === "gradientAt", outside === "refuse");
   };
   const work = ask(start);

@@ -3,8 +3,10 @@
 use super::solve::curve_remarks;
 use super::stack::Ready;
 use super::{BlendKind, CurvesDocument, Diagnostic, DocumentError, Model, Outcome, Solution, Solve};
+use crate::curve::BSpline;
 use crate::geom::{Location, first_contact, first_self_contact, locate};
-use crate::morph::{Band, HarmonicBlend, HarmonicFineness, HarmonicWork, Ring};
+use crate::laplace::LaplaceError;
+use crate::morph::{Band, HarmonicBlend, HarmonicFineness, HarmonicWork, Ring, Rings};
 use glam::DVec2;
 use std::vec::IntoIter;
 
@@ -15,6 +17,8 @@ const COARSE_TOLERANCE: f64 = 6e-3;
 const COARSE_SEGMENTS: usize = 80;
 /// Most segments of all curves together, about: beyond, a single level curve would take longer than a frame.
 const MOST_SEGMENTS: usize = 2400;
+/// Most of them where curves have so many corners, from each to the next one at least, that there are more.
+const MOST_BETWEEN_CORNERS: usize = 2 * MOST_SEGMENTS;
 
 /// The harmonic blend of a document.
 #[derive(Debug, Clone)]
@@ -59,11 +63,17 @@ pub fn lightened(solution: &Solution) -> Option<Solution> {
 #[derive(Debug)]
 pub(super) struct HarmonicJob {
     is_coarse: bool,
-    /// Curves to look at by themselves and in pairs: what is left of these questions.
-    checks: IntoIter<(usize, usize)>,
-    work: Option<HarmonicWork>,
+    work: Work,
     /// Share of the work that is done, as said last: it never falls.
     reached: f64,
+}
+
+#[derive(Debug)]
+enum Work {
+    /// Curves to look at by themselves and in pairs: what is left of these questions.
+    Checking(IntoIter<(usize, usize)>),
+    Beginning(Beginning),
+    Blending(Box<HarmonicWork>),
 }
 
 impl HarmonicJob {
@@ -71,7 +81,7 @@ impl HarmonicJob {
         let count = model.curves().len();
         let pairs = (1..count).flat_map(|j| (0..j).map(move |i| (i, j)));
         let checks: Vec<(usize, usize)> = (0..count).map(|k| (k, k)).chain(pairs).collect();
-        Self { is_coarse, checks: checks.into_iter(), work: None, reached: 0.0 }
+        Self { is_coarse, work: Work::Checking(checks.into_iter()), reached: 0.0 }
     }
 
     /// Share of the work that is done.
@@ -82,7 +92,10 @@ impl HarmonicJob {
     /// Advances while `may_go_on` says so, at least by a little.
     pub(super) fn step(&mut self, model: &Model, may_go_on: &mut dyn FnMut() -> bool) -> Option<Ready> {
         let ready = self.advance(model, may_go_on);
-        let share = self.work.as_ref().map_or(0.0, |work| 0.05 + 0.95 * work.progress());
+        let share = match &self.work {
+            Work::Blending(work) => 0.05 + 0.95 * work.progress(),
+            _ => 0.0,
+        };
         self.reached = self.reached.max(share);
         ready
     }
@@ -93,93 +106,137 @@ impl HarmonicJob {
             diagnostics.push(diagnostic);
             Some((Outcome::Unmatched, diagnostics, false))
         };
-        let work = match &mut self.work {
-            Some(work) => work,
-            none => {
-                let open: Vec<usize> =
-                    (0..model.curves().len()).filter(|k| !model.curves()[*k].is_closed()).collect();
-                if !open.is_empty() {
-                    return without(Diagnostic::OpenCurves { curves: open });
-                }
-                for (i, j) in self.checks.by_ref() {
-                    if i == j {
+        let open: Vec<usize> =
+            (0..model.curves().len()).filter(|k| !model.curves()[*k].is_closed()).collect();
+        if !open.is_empty() {
+            return without(Diagnostic::OpenCurves { curves: open });
+        }
+        loop {
+            match &mut self.work {
+                Work::Checking(checks) => match checks.next() {
+                    Some((i, j)) if i == j => {
                         if let Some(fault) = model.self_contact(i) {
                             return Some((Outcome::Refused(fault), Vec::new(), false));
                         }
-                    } else if let Some(meeting) = model.curves()[i].contact(&model.curves()[j]) {
-                        return without(Diagnostic::CurvesMeet { curves: [i, j], at: meeting.at });
                     }
-                    if !may_go_on() {
-                        return None;
+                    Some((i, j)) => {
+                        if let Some(meeting) = model.curves()[i].contact(&model.curves()[j]) {
+                            return without(Diagnostic::CurvesMeet { curves: [i, j], at: meeting.at });
+                        }
                     }
-                }
-                match begin(model, self.is_coarse) {
-                    Ok(work) => none.insert(work),
+                    None => self.work = Work::Beginning(Beginning::new(model, self.is_coarse)),
+                },
+                Work::Beginning(beginning) => match beginning.step(model) {
+                    Ok(None) => {}
+                    Ok(Some(work)) => self.work = Work::Blending(Box::new(work)),
                     Err(diagnostic) => return without(diagnostic),
+                },
+                Work::Blending(work) => {
+                    return match work.step(may_go_on) {
+                        Ok(blend) => self.finish(model, blend?),
+                        Err(error) => without(no_field(error)),
+                    };
                 }
             }
-        };
-        match work.step(may_go_on) {
-            Ok(None) => None,
-            Ok(Some(blend)) => {
-                let mut diagnostics = curve_remarks(model);
-                diagnostics.extend(heights(model, blend.rings().outer()));
-                if blend.lost() > 0 {
-                    diagnostics.push(Diagnostic::LostLines { count: blend.lost() });
-                }
-                let harmonic = Harmonic { blend, difference: None };
-                Some((Outcome::Harmonic(Box::new(harmonic)), diagnostics, self.is_coarse))
-            }
-            Err(error) => {
-                let at = error.at.map(|at| at.truncate());
-                without(Diagnostic::NoField { reason: error.message, at })
+            if !may_go_on() {
+                return None;
             }
         }
+    }
+
+    fn finish(&self, model: &Model, blend: HarmonicBlend) -> Option<Ready> {
+        let mut diagnostics = curve_remarks(model);
+        diagnostics.extend(heights(model, blend.rings().outer()));
+        if blend.lost() > 0 {
+            diagnostics.push(Diagnostic::LostLines { count: blend.lost() });
+        }
+        let harmonic = Harmonic { blend, difference: None };
+        Some((Outcome::Harmonic(Box::new(harmonic)), diagnostics, self.is_coarse))
     }
 }
 
-/// Finds the outer curve and begins with the blend of curves that do not meet.
-fn begin(model: &Model, is_coarse: bool) -> Result<HarmonicWork, Diagnostic> {
-    let blend = &model.document().blend;
-    let most = MOST_SEGMENTS / model.curves().len();
-    let wanted = blend.segments.unwrap_or(COARSE_SEGMENTS).min(most);
-    let segments = if is_coarse { wanted.min(COARSE_SEGMENTS) } else { wanted };
-    let outer = outermost(model)?;
-    let rings: Vec<Ring> = model.curves().iter().map(|curve| Ring::new(curve, segments)).collect();
-    for (j, ring) in rings.iter().enumerate() {
-        if let Some((edge, _)) = first_self_contact(&ring.points, true) {
-            return Err(Diagnostic::CoarseSampling { at: Some(ring.points[edge]) });
+fn no_field(error: LaplaceError) -> Diagnostic {
+    Diagnostic::NoField { at: error.at.map(|at| at.truncate()), reason: error.message }
+}
+
+/// Curves that do not meet being cut into rings, of which one contains all others.
+#[derive(Debug)]
+struct Beginning {
+    fineness: HarmonicFineness,
+    /// Of the curves so far.
+    polygons: Vec<Vec<DVec2>>,
+    rings: Vec<Ring>,
+    outer: Option<usize>,
+    /// Rings that were compared with themselves and all before.
+    compared: usize,
+}
+
+impl Beginning {
+    fn new(model: &Model, is_coarse: bool) -> Self {
+        let blend = &model.document().blend;
+        let most = MOST_SEGMENTS / model.curves().len();
+        let wanted = blend.segments.unwrap_or(COARSE_SEGMENTS).min(most);
+        let fineness = HarmonicFineness {
+            segments: if is_coarse { wanted.min(COARSE_SEGMENTS) } else { wanted },
+            lines: blend.lines.unwrap_or(1),
+            stages: model.document().segments(),
+            tolerance: if is_coarse { COARSE_TOLERANCE } else { TOLERANCE },
+        };
+        Self { fineness, polygons: Vec::new(), rings: Vec::new(), outer: None, compared: 0 }
+    }
+
+    /// Looks at one curve; returns the work on the blend when all are fine.
+    fn step(&mut self, model: &Model) -> Result<Option<HarmonicWork>, Diagnostic> {
+        if let Some(curve) = model.curves().get(self.rings.len()) {
+            self.polygons.push(polygon(model, curve));
+            self.rings.push(Ring::new(curve, self.fineness.segments));
+            return Ok(None);
         }
-        for other in &rings[..j] {
-            if let Some((edge, _)) = first_contact(&ring.points, &other.points, true) {
+        let Some(outer) = self.outer else {
+            self.outer = Some(outermost(model, &self.polygons)?);
+            let count: usize = self.rings.iter().map(Ring::len).sum();
+            if count > MOST_BETWEEN_CORNERS {
+                let reason = format!(
+                    "between their corners the curves have {count} segments; expected {MOST_BETWEEN_CORNERS} at most: fewer corners or fewer curves"
+                );
+                return Err(Diagnostic::NoField { reason, at: None });
+            }
+            return Ok(None);
+        };
+        if let Some(ring) = self.rings.get(self.compared) {
+            if let Some((edge, _)) = first_self_contact(&ring.points, true) {
                 return Err(Diagnostic::CoarseSampling { at: Some(ring.points[edge]) });
             }
+            for other in &self.rings[..self.compared] {
+                if let Some((edge, _)) = first_contact(&ring.points, &other.points, true) {
+                    return Err(Diagnostic::CoarseSampling { at: Some(ring.points[edge]) });
+                }
+            }
+            self.compared += 1;
+            return Ok(None);
         }
+        let compose = |curve: usize, u: f64| model.composition(curve, u);
+        let rings = Rings::new(std::mem::take(&mut self.rings), outer);
+        HarmonicWork::new(model.curves().to_vec(), rings, &compose, self.fineness).map(Some).map_err(no_field)
     }
-    let fineness = HarmonicFineness {
-        segments,
-        lines: blend.lines.unwrap_or(1),
-        stages: model.document().segments(),
-        tolerance: if is_coarse { COARSE_TOLERANCE } else { TOLERANCE },
-    };
-    let compose = |curve: usize, u: f64| model.composition(curve, u);
-    HarmonicWork::new(model.curves().to_vec(), outer, &compose, fineness)
-        .map_err(|error| Diagnostic::NoField { reason: error.message, at: error.at.map(|at| at.truncate()) })
+}
+
+/// A curve as the polygon by which it is told what lies in it.
+fn polygon(model: &Model, curve: &BSpline) -> Vec<DVec2> {
+    let tolerance = 1e-5 * model.bounds().diagonal();
+    curve.flatten(tolerance).into_iter().map(|(_, p)| p).collect()
 }
 
 /// For each curve the numbers of those that it lies in.
-fn containers(model: &Model) -> Vec<Vec<usize>> {
-    let curves = model.curves();
-    let tolerance = 1e-5 * model.bounds().diagonal();
-    let polygons: Vec<Vec<DVec2>> =
-        curves.iter().map(|curve| curve.flatten(tolerance).into_iter().map(|(_, p)| p).collect()).collect();
+fn containers(polygons: &[Vec<DVec2>]) -> Vec<Vec<usize>> {
     let is_in = |i: usize, j: usize| locate(&polygons[j], polygons[i][0]) == Location::Inside;
-    (0..curves.len()).map(|i| (0..curves.len()).filter(|&j| j != i && is_in(i, j)).collect()).collect()
+    let count = polygons.len();
+    (0..count).map(|i| (0..count).filter(|&j| j != i && is_in(i, j)).collect()).collect()
 }
 
 /// The curve that contains all others, none of which contains another.
-fn outermost(model: &Model) -> Result<usize, Diagnostic> {
-    let within = containers(model);
+fn outermost(model: &Model, polygons: &[Vec<DVec2>]) -> Result<usize, Diagnostic> {
+    let within = containers(polygons);
     let point = |curve: usize| model.curves()[curve].point(model.curves()[curve].domain().0);
     let free: Vec<usize> = (0..within.len()).filter(|k| within[*k].is_empty()).collect();
     let [outer] = free[..] else {
@@ -197,7 +254,8 @@ fn outermost(model: &Model) -> Result<usize, Diagnostic> {
 /// The remark that several curves lie side by side in one, of curves that are a stack out of order.
 pub(super) fn several_inner(model: &Model) -> Option<Diagnostic> {
     let is_closed = model.ends().is_none();
-    let outer = is_closed.then(|| outermost(model).ok()).flatten()?;
+    let polygons = || model.curves().iter().map(|curve| polygon(model, curve)).collect::<Vec<_>>();
+    let outer = is_closed.then(|| outermost(model, &polygons()).ok()).flatten()?;
     let curves: Vec<usize> = (0..model.curves().len()).filter(|k| *k != outer).collect();
     (curves.len() > 1).then_some(Diagnostic::SeveralInner { outer, curves })
 }

@@ -154,6 +154,12 @@ test("solving and questions go in short turns over a connection, and a worker th
   assert.throws(() => postedJob(dx, { key: -2 }, { question: "at", rest: { first: [] } }), (error) => error instanceof DirectrixError && error.code === "unsent");
 });
 
+test("indices and coordinates may be in any typed array", () => {
+  const input = paper(2);
+  const typed = { ...input, vertices: Float32Array.from(input.vertices), elements: Uint16Array.from(input.elements) };
+  assert.deepEqual(dx.solveLaplace(/** @type {any} */ (typed)).fluxes, dx.solveLaplace(input).fluxes);
+});
+
 test("a job solves in steps", () => {
   const job = dx.job(null, { solveLaplace: paper(6) });
   let steps = 1;
@@ -204,6 +210,12 @@ test("wrong input is refused with its path and its place", async () => {
   refused((input) => (input.solver = { method: "qr" }), "range", "solver.method");
   refused((input) => (input.solver = { preconditioner: "ssor", dense: 10 }), "range", "solver");
   refused((input) => (input.speed = 1), "unknown-field", "speed");
+  refused((input) => (input.conditions = input.conditions.map(() => ({ value: [] }))), "range", "conditions[0].value");
+  refused((input) => (input.conditions[7] = { value: 1e101 }), "range", "conditions[7]");
+  const negative = (/** @type {any} */ input) => Object.assign(input, { composition: true, conditions: input.conditions.map(() => ({ value: [1.5, -0.5] })) });
+  assert.match(refused(negative, "range", "conditions[0]").message, /^1\.5 was found; expected a fraction/);
+  const long = refused((input) => (input.elements = new DataView(new ArrayBuffer(4096))), "type", "elements");
+  assert.ok(long.message.length < 100, "messages do not repeat long lists");
   const solution = dx.solveLaplace(paper(2));
   const outside = (/** @type {() => void} */ call, /** @type {string} */ code, /** @type {string} */ path) =>
     assert.throws(call, (error) => error instanceof DirectrixError && error.code === code && error.path === path);
@@ -211,7 +223,9 @@ test("wrong input is refused with its path and its place", async () => {
   outside(() => solution.at([0.5, 0.5]), "range", "points");
   outside(() => solution.at([0.5, 0.5, Number.NaN]), "range", "points[0]");
   outside(() => solution.section({ longest: 9 }), "range", "longest");
-  outside(() => solution.section({ origin: [0, 0, 0], sides: [[1, 0, 0], [2, 0, 0]], size: [9, 9] }), "range", "size");
+  outside(() => solution.section({ origin: [0, 0, 0], sides: [[1, 0, 0], [2, 0, 0]], size: [9, 9] }), "range", "sides");
+  outside(() => solution.at([0.5, 0.5, 0.5], /** @type {any} */ ({ outsid: "skip" })), "unknown-field", "options.outsid");
+  outside(() => solution.at(new Float64Array(3 * (2 ** 22 + 1))), "range", "points");
   assert.ok(Number.isNaN(solution.at([2, 2, 2], { outside: "skip" }).values[0]));
   const figure = await load({ module: "figure" });
   outside(() => figure.solveLaplace(paper(2)), "not-in-module", "");

@@ -3,7 +3,7 @@
 use super::field::FieldWork;
 use super::flow::Flow;
 use super::thread::{Start, Tracer, crossings, starts};
-use super::{Field, GradientLine, Ring, Rings};
+use super::{Field, GradientLine, Rings};
 use crate::curve::BSpline;
 use crate::laplace::{Conditions, LaplaceError, LaplaceJob, LaplaceOptions, Problem, Solution};
 use crate::material::Composition;
@@ -276,18 +276,17 @@ enum State {
 }
 
 impl HarmonicWork {
-    /// Begins with counter-clockwise curves that do not meet, of which number `outer` contains all others, none of which contains another.
+    /// Begins with counter-clockwise curves that do not meet, of which one contains all others, none of which contains another, and with their rings.
     ///
     /// # Errors
     /// When the segments are not the boundary of one region: too few of them for the shapes.
     pub fn new(
         curves: Vec<BSpline>,
-        outer: usize,
+        rings: Rings,
         compose: &Compose<'_>,
         fineness: Fineness,
     ) -> Result<Self, LaplaceError> {
-        let rings = curves.iter().map(|curve| Ring::new(curve, fineness.segments)).collect();
-        let rings = Rings::new(rings, outer);
+        let outer = rings.outer();
         let potential = |ring: usize| f64::from(u8::from(ring == outer));
         let row = |place: (usize, usize), t: f64| {
             let (ring, own) = place;

@@ -28,7 +28,9 @@ fn blend(curves: Vec<BSpline>, outer: usize, compose: &Compose<'_>) -> HarmonicB
 }
 
 fn made(curves: Vec<BSpline>, outer: usize, compose: &Compose<'_>, fineness: Fineness) -> HarmonicBlend {
-    HarmonicWork::new(curves, outer, compose, fineness).expect("a boundary").run().expect("a solution")
+    let rings = curves.iter().map(|curve| Ring::new(curve, fineness.segments)).collect();
+    let rings = Rings::new(rings, outer);
+    HarmonicWork::new(curves, rings, compose, fineness).expect("a boundary").run().expect("a solution")
 }
 
 #[test]
@@ -231,4 +233,16 @@ fn a_tiny_hole_is_shown_as_well_as_a_large_one() {
         assert!((shown - exact).abs() < 1.5 * ROUGH.tolerance, "{shown}, not {exact} at {middle}");
     }
     assert_eq!((found.crossings(), found.lost()), (0, 0));
+}
+
+/// Where few segments turn into the band their normals meet before lines have left them.
+#[test]
+fn lines_that_lie_close_do_not_cross_where_segments_turn() {
+    let wave = |k: i32| {
+        (3.0 + 1.2 * (f64::from(k) * TAU / 4.0).cos()) * DVec2::from_angle(f64::from(k) * TAU / 12.0)
+    };
+    let inner = BSpline::new(3, Form::Periodic, (0..12).map(wave).collect(), None).expect("a curve");
+    let fineness = Fineness { segments: 24, lines: 300, stages: 2, tolerance: 1e-2 };
+    let found = made(vec![inner, circle(DVec2::ZERO, 9.0)], 1, &pure(1), fineness);
+    assert_eq!((found.lines().len(), found.crossings(), found.lost()), (300, 0, 0));
 }

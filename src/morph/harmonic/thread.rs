@@ -11,10 +11,12 @@ use glam::DVec2;
 const MOST_STEPS: usize = 4000;
 /// Error of a step over the size of the boundary.
 const TOLERANCE: f64 = 2e-5;
-/// Way along the normal with which a line begins and ends, over the length of the segments there: nearer to it the flux, constant on segments, shows.
+/// Way across the boundary with which a line begins and ends, over the length of the segments there: nearer to it the flux, constant on segments, shows.
 const BESIDE: f64 = 0.5;
 /// Share of the potential that this way passes at most.
 const SHARE: f64 = 0.25;
+/// Most of this way at a corner over that of its sides.
+const MITRE: f64 = 1.25;
 
 /// A line along the gradient.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,13 +93,13 @@ impl Tracer<'_> {
         let u = ring.parameter(start.segment, start.share);
         let first = self.curves[start.ring].point(u);
         let (from, to) = (ring.points[start.segment], ring.points[(start.segment + 1) % ring.len()]);
-        // The ring runs counter-clockwise, so that the material is on its right.
         let along = to - from;
-        let normal = DVec2::new(along.y, -along.x).normalize_or_zero();
+        let [leaving, next] =
+            [start.segment, (start.segment + 1) % ring.len()].map(|k| self.way(start.ring, k));
+        let way = leaving.lerp(next, start.share);
+        let mut at = from.lerp(to, start.share) + way;
         let flux = self.fluxes[self.rings.start(start.ring) + start.segment].abs();
-        let way = (BESIDE * along.length()).min(SHARE / flux.max(1e-300));
-        let mut at = from.lerp(to, start.share) + way * normal;
-        let mut reached = flux * way;
+        let mut reached = flux * way.dot(outwards(along));
         let mut points = vec![first, at];
         let mut slope = self.flow.gradient(at);
         let mut step = along.length().min(self.size * 0.01);
@@ -129,6 +131,22 @@ impl Tracer<'_> {
             step = step.min(0.05 * self.size);
         }
         None
+    }
+
+    /// The way from a vertex of an inner ring with which lines beside it begin. Between the ways of two neighbours those of a segment lie as in a fan, so that
+    /// they do not cross, where normals of segments do.
+    fn way(&self, ring: usize, vertex: usize) -> DVec2 {
+        let list = &self.rings.list()[ring];
+        let count = list.len();
+        let side = |k: usize| {
+            let along = list.points[(k + 1) % count] - list.points[k];
+            let flux = self.fluxes[self.rings.start(ring) + k].abs();
+            (outwards(along), (BESIDE * along.length()).min(SHARE / flux.max(1e-300)))
+        };
+        let ((before, arriving), (after, leaving)) = (side((vertex + count - 1) % count), side(vertex));
+        let bisector = (before + after).try_normalize().unwrap_or(after);
+        let mitre = 1.0 / bisector.dot(after).max(1.0 / MITRE);
+        bisector * (arriving.min(leaving) * mitre)
     }
 
     /// A step along the gradient by the method of order three of Bogacki and Shampine, with the difference from that of order two; returns the place, its
@@ -180,6 +198,11 @@ impl Tracer<'_> {
         let v = ring.parameter(segment, share);
         Some((v, self.curves[outer].point(v)))
     }
+}
+
+/// The unit normal of a segment of a counter-clockwise ring, which points out of it, so into the material of an inner one.
+fn outwards(along: DVec2) -> DVec2 {
+    DVec2::new(along.y, -along.x).normalize_or_zero()
 }
 
 /// Number of pairs of lines that meet, decided exactly.
