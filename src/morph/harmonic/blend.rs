@@ -359,13 +359,8 @@ impl HarmonicWork {
                 State::Following { blend, starts, next } => {
                     let fluxes = first(blend.solution.fluxes());
                     let (low, high) = blend.solution.problem().mesh().bounds();
-                    let tracer = Tracer {
-                        rings: &self.rings,
-                        curves: &self.curves,
-                        flow: &blend.flow,
-                        fluxes: &fluxes,
-                        size: (high - low).length(),
-                    };
+                    let size = (high - low).length();
+                    let tracer = Tracer::new(&self.rings, &self.curves, &blend.flow, &fluxes, size);
                     while *next < starts.len() {
                         match tracer.line(starts[*next]) {
                             Some(line) => blend.lines.push(line),

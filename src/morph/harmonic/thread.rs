@@ -15,6 +15,8 @@ const TOLERANCE: f64 = 2e-5;
 const BESIDE: f64 = 0.5;
 /// Share of the potential that this way passes at most.
 const SHARE: f64 = 0.25;
+/// Potential from which a line that has not passed there ends at what is nearest.
+const BEYOND: f64 = 1.5;
 /// Most of this way at a corner over that of its sides.
 const MITRE: f64 = 1.25;
 
@@ -78,15 +80,31 @@ pub(super) fn starts(rings: &Rings, fluxes: &[f64], lengths: &[f64], count: usiz
 
 /// What is needed to follow lines.
 pub(super) struct Tracer<'a> {
-    pub(super) rings: &'a Rings,
-    pub(super) curves: &'a [BSpline],
-    pub(super) flow: &'a Flow,
-    pub(super) fluxes: &'a [f64],
+    rings: &'a Rings,
+    curves: &'a [BSpline],
+    flow: &'a Flow,
+    fluxes: &'a [f64],
     /// Diagonal of the boundary.
-    pub(super) size: f64,
+    size: f64,
+    /// Where lines that come from inside begin to end: beside each vertex of the outer ring.
+    gate: Vec<DVec2>,
 }
 
-impl Tracer<'_> {
+impl<'a> Tracer<'a> {
+    /// `size` is the diagonal of the boundary.
+    pub(super) fn new(
+        rings: &'a Rings,
+        curves: &'a [BSpline],
+        flow: &'a Flow,
+        fluxes: &'a [f64],
+        size: f64,
+    ) -> Self {
+        let mut tracer = Self { rings, curves, flow, fluxes, size, gate: Vec::new() };
+        let outer = &rings.list()[rings.outer()];
+        tracer.gate = (0..outer.len()).map(|k| outer.points[k] + tracer.way(rings.outer(), k)).collect();
+        tracer
+    }
+
     /// Follows the gradient from a start to the outer curve; `None` where it does not come there.
     pub(super) fn line(&self, start: Start) -> Option<GradientLine> {
         let ring = &self.rings.list()[start.ring];
@@ -109,19 +127,26 @@ impl Tracer<'_> {
                 return None;
             }
             let left = (1.0 - reached) / steepness;
-            if left < 0.02 * self.size
-                && let Some((v, end)) = self.end(at, slope / steepness, left)
-            {
-                points.push(end);
-                return Some(GradientLine { curve: start.ring, u, v, points });
-            }
-            let most = (0.5 * left).max(1e-6 * self.size);
-            step = step.min(most);
+            step = step.min((0.5 * left).max(1e-3 * self.size));
             let (next, next_slope, gained, error) = self.stride(at, slope, step);
             let allowed = TOLERANCE * self.size;
             if error > allowed && step > 1e-7 * self.size {
                 step *= (0.9 * (allowed / error).cbrt()).max(0.2);
                 continue;
+            }
+            let end = match self.passing(at, next) {
+                Some((point, segment, share)) => {
+                    points.push(point);
+                    Some((segment, share))
+                }
+                None if reached > BEYOND => Some(self.nearest(at)),
+                None => None,
+            };
+            if let Some((segment, share)) = end {
+                let outer = self.rings.outer();
+                let v = self.rings.list()[outer].parameter(segment, share);
+                points.push(self.curves[outer].point(v));
+                return Some(GradientLine { curve: start.ring, u, v, points });
             }
             at = next;
             reached += gained;
@@ -133,15 +158,15 @@ impl Tracer<'_> {
         None
     }
 
-    /// The way from a vertex of an inner ring with which lines beside it begin. Between the ways of two neighbours those of a segment lie as in a fan, so that
+    /// The way from a vertex of a ring into the material with which lines beside it begin, or end. Between the ways of two neighbours those of a segment lie as in a fan, so that
     /// they do not cross, where normals of segments do.
     fn way(&self, ring: usize, vertex: usize) -> DVec2 {
         let list = &self.rings.list()[ring];
-        let count = list.len();
+        let (count, sign) = (list.len(), if ring == self.rings.outer() { -1.0 } else { 1.0 });
         let side = |k: usize| {
             let along = list.points[(k + 1) % count] - list.points[k];
             let flux = self.fluxes[self.rings.start(ring) + k].abs();
-            (outwards(along), (BESIDE * along.length()).min(SHARE / flux.max(1e-300)))
+            (sign * outwards(along), (BESIDE * along.length()).min(SHARE / flux.max(1e-300)))
         };
         let ((before, arriving), (after, leaving)) = (side((vertex + count - 1) % count), side(vertex));
         let bisector = (before + after).try_normalize().unwrap_or(after);
@@ -166,37 +191,27 @@ impl Tracer<'_> {
         (next, s4, gained, error)
     }
 
-    /// Where a line that is near to the outer curve ends on it: its parameter and its point; `None` while it is not near.
-    fn end(&self, at: DVec2, direction: DVec2, left: f64) -> Option<(f64, DVec2)> {
-        let outer = self.rings.outer();
-        let ring = &self.rings.list()[outer];
-        let count = ring.len();
-        let ends = |k: usize| [ring.points[k], ring.points[(k + 1) % count]];
-        let nearest = (0..count).min_by(|a, b| distance(ends(*a), at).total_cmp(&distance(ends(*b), at)))?;
-        let length = ends(nearest)[0].distance(ends(nearest)[1]);
-        if left.min(distance(ends(nearest), at)) > BESIDE * length
-            && left * self.fluxes[self.rings.start(outer) + nearest].abs() > 0.01
-        {
-            return None;
-        }
-        // Straight on to the first segment in the way, else to the nearest one.
-        let target = at + direction * (2.0 * left + length);
-        let hits = (0..count).filter_map(|k| {
-            let [a, b] = ends(k);
-            let (along, way) = (b - a, target - at);
-            let cross = way.perp_dot(along);
-            let (t, share) = ((a - at).perp_dot(along) / cross, (a - at).perp_dot(way) / cross);
+    /// Where a piece of a line comes so near to the outer ring that it ends there: the first such place, and the segment and the share of it where it ends.
+    fn passing(&self, from: DVec2, to: DVec2) -> Option<(DVec2, usize, f64)> {
+        let (way, count) = (to - from, self.gate.len());
+        let hit = |k: usize| {
+            let (a, b) = (self.gate[k], self.gate[(k + 1) % count]);
+            let cross = way.perp_dot(b - a);
+            let (t, share) = ((a - from).perp_dot(b - a) / cross, (a - from).perp_dot(way) / cross);
             ((0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&share)).then_some((t, k, share))
-        });
-        let (segment, share) = hits.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(
-            || {
-                let [a, b] = ends(nearest);
-                (nearest, ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0))
-            },
-            |(_, segment, share)| (segment, share),
-        );
-        let v = ring.parameter(segment, share);
-        Some((v, self.curves[outer].point(v)))
+        };
+        let (t, segment, share) = (0..count).filter_map(hit).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((from + t * way, segment, share))
+    }
+
+    /// The segment of the outer ring that is nearest to a point, and the share of it.
+    fn nearest(&self, point: DVec2) -> (usize, f64) {
+        let ring = &self.rings.list()[self.rings.outer()];
+        let ends = |k: usize| [ring.points[k], ring.points[(k + 1) % ring.len()]];
+        let apart = |k: &usize| distance(ends(*k), point);
+        let segment = (0..ring.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(0);
+        let [a, b] = ends(segment);
+        (segment, ((point - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0))
     }
 }
 
