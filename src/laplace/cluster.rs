@@ -17,6 +17,9 @@ const EXACT: f64 = 2.5;
 /// Diameters beyond which one place stands for a panel.
 const FAR: f64 = 8.0;
 
+/// Share of the radius of a cluster below which diameters do not count as less: single precision, in which places are kept, tells apart what is farther.
+const FINE: f64 = 4e-5;
+
 /// Neighbouring panels.
 #[derive(Debug, Clone)]
 pub(super) struct Cluster {
@@ -25,7 +28,7 @@ pub(super) struct Cluster {
     pub(super) centre: DVec3,
     /// All of them are within this distance of the centre.
     pub(super) radius: f64,
-    /// Of the largest panel.
+    /// Of the largest panel; at least a small share of the radius.
     pub(super) diameter: f64,
 }
 
@@ -91,7 +94,7 @@ impl Panels {
         let high = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
         let centre = (low + high) / 2.0;
         let radius = corners().map(|corner| corner.distance(centre)).fold(0.0, f64::max);
-        let diameter = own().map(|panel| panel.diameter).fold(0.0, f64::max);
+        let diameter = own().map(|panel| panel.diameter).fold(FINE * radius, f64::max);
         let start = self.order.len();
         self.clusters.push(Cluster { slots: start..start + SLOTS, centre, radius, diameter });
         for slot in 0..SLOTS {
@@ -145,7 +148,7 @@ impl Panels {
     fn correct(&self, cluster: &Cluster, x: DVec3, values: &mut Values) {
         for (slot, number) in self.order[cluster.slots.clone()].iter().enumerate() {
             let Some(panel) = self.list.get(*number as usize) else { continue };
-            let reach = EXACT * panel.diameter;
+            let reach = EXACT * panel.diameter.max(FINE * cluster.radius);
             if panel.centre.distance_squared(x) <= reach * reach {
                 let exact = self.space.layers(panel, x);
                 values.single[slot] = exact.single as f32;

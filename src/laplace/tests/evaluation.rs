@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::laplace::{Fault, Frame, SectionJob};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 #[test]
 fn values_keep_the_panels_accuracy_right_up_to_the_boundary() {
@@ -259,4 +259,23 @@ fn bodies_of_any_size_have_sections() {
         let flat = SectionJob::new(&solution, frame([DVec3::X * size, DVec3::X * (2.0 * size)]));
         assert!(flat.is_err_and(|error| error.fault == Fault::Sides));
     }
+}
+
+/// Elements of a tiny hole are so near to each other that single precision does not tell them apart from where the outer boundary is.
+#[test]
+fn holes_may_be_a_hundred_millionth_of_the_body() {
+    let (count, q, c) = (160, 1e-8, 0.3);
+    let angle = |k: u32| std::f64::consts::TAU * f64::from(k) / f64::from(count);
+    let outer = (0..count).map(|k| DVec2::from_angle(angle(k)));
+    let hole = (0..count).map(|k| DVec2::new(c, 0.0) + q * DVec2::from_angle(-angle(k)));
+    let points: Vec<DVec2> = outer.chain(hole).collect();
+    let ring = |start: u32| (0..count).map(move |k| [start + k, start + (k + 1) % count]);
+    let mesh = Mesh::plane(&points, &ring(0).chain(ring(count)).collect::<Vec<_>>()).unwrap();
+    let solution =
+        solved(mesh, |panel| Ok(f64::from(u8::from(panel.centre.distance(DVec3::X * c) < 2.0 * q))));
+    assert!(solution.row_closure() < 1e-3, "{}", solution.row_closure());
+    // Green's function of the unit disc.
+    let at = |x: f64| ((1.0 - c * x) / (x - c)).abs().ln();
+    let exact = at(-0.3) / at(c + q);
+    assert!((value(&solution, DVec3::X * -0.3) - exact).abs() < 1e-4, "not {exact}");
 }

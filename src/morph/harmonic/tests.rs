@@ -246,3 +246,10 @@ fn lines_that_lie_close_do_not_cross_where_segments_turn() {
     let found = made(vec![inner, circle(DVec2::ZERO, 9.0)], 1, &pure(1), fineness);
     assert_eq!((found.lines().len(), found.crossings(), found.lost()), (300, 0, 0));
 }
+
+#[test]
+fn lines_from_a_tiny_curve_do_not_cross() {
+    let curves = vec![circle(dvec2(0.3, 0.0), 1e-8), circle(DVec2::ZERO, 1.0)];
+    let found = made(curves, 1, &pure(1), Fineness { segments: 80, lines: 44, stages: 1, tolerance: 1e-2 });
+    assert_eq!((found.lines().len(), found.crossings(), found.lost()), (44, 0, 0));
+}

@@ -9,8 +9,10 @@ use glam::DVec2;
 
 /// Most steps of a line; ordinary ones take some twenty.
 const MOST_STEPS: usize = 4000;
-/// Error of a step over the size of the boundary.
+/// Error of a step over the size of the boundary, or over so many lengths in which the potential would pass from curve to curve where these are less: beside a
+/// tiny curve lines are as near to each other as it is small.
 const TOLERANCE: f64 = 2e-5;
+const LENGTHS: f64 = 10.0;
 /// Way across the boundary with which a line begins and ends, over the length of the segments there: nearer to it the flux, constant on segments, shows.
 const BESIDE: f64 = 0.5;
 /// Share of the potential that this way passes at most.
@@ -129,8 +131,9 @@ impl<'a> Tracer<'a> {
             let left = (1.0 - reached) / steepness;
             step = step.min((0.5 * left).max(1e-3 * self.size));
             let (next, next_slope, gained, error) = self.stride(at, slope, step);
-            let allowed = TOLERANCE * self.size;
-            if error > allowed && step > 1e-7 * self.size {
+            let size = self.size.min(LENGTHS / steepness);
+            let allowed = TOLERANCE * size;
+            if error > allowed && step > 1e-7 * size {
                 step *= (0.9 * (allowed / error).cbrt()).max(0.2);
                 continue;
             }
