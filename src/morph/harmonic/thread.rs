@@ -19,6 +19,8 @@ const BESIDE: f64 = 0.5;
 const SHARE: f64 = 0.25;
 /// Potential from which a line that has not passed there ends at what is nearest.
 const BEYOND: f64 = 1.5;
+/// Most of this way that a curve may be off its segment.
+const SAGITTA: f64 = 0.5;
 /// Most of this way at a corner over that of its sides.
 const MITRE: f64 = 1.25;
 
@@ -117,7 +119,10 @@ impl<'a> Tracer<'a> {
         let [leaving, next] =
             [start.segment, (start.segment + 1) % ring.len()].map(|k| self.way(start.ring, k));
         let way = leaving.lerp(next, start.share);
-        let mut at = from.lerp(to, start.share) + way;
+        let foot = from.lerp(to, start.share);
+        // A needle that is thinner than its segments are long goes on beyond them: lines begin nearer to these.
+        let first = foot + (first - foot).clamp_length_max(SAGITTA * way.length());
+        let mut at = foot + way;
         let flux = self.fluxes[self.rings.start(start.ring) + start.segment].abs();
         let mut reached = flux * way.dot(outwards(along));
         let mut points = vec![first, at];
