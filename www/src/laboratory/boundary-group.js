@@ -5,6 +5,7 @@
  * @import { Condition, Group } from "./document.js"
  * @import { By, ConditionKind } from "./edits.js"
  * @import { Bench, Picking } from "./state.js"
+ * @import { createPreview } from "./preview.js"
  */
 import { segment } from "../controls/choices.js";
 import { mixingControl } from "../controls/mixing.js";
@@ -26,8 +27,12 @@ const FAR = 1e9;
 
 const text = words.boundary;
 
-/** @param {Bench} bench @returns {Panel} */
-export function boundaryGroup(bench) {
+/**
+ * @param {Bench} bench
+ * @param {ReturnType<typeof createPreview>} preview of the group that is dragged
+ * @returns {Panel}
+ */
+export function boundaryGroup(bench, preview) {
   const list = h("div", { class: "lab-groups", role: "group", "aria-label": text.list });
   const add = h("button", { type: "button", class: "push", "data-lab-add": "", onclick: addOne }, text.add);
   const faults = h("div", { class: "lab-faults" });
@@ -46,7 +51,7 @@ export function boundaryGroup(bench) {
   function rowsOf() {
     const { document, known, isCurrent } = bench.now();
     const sets = known && isCurrent ? known.boundary.sets : [];
-    return document.groups.map((group, index) => ({ group, set: sets[index] ?? null }));
+    return document.groups.map((group, index) => ({ group, set: sets[index] ?? null, count: preview.count(index) }));
   }
 
   return {
@@ -64,13 +69,13 @@ export function boundaryGroup(bench) {
         drawn = key;
         const focused = globalThis.document.activeElement instanceof HTMLElement ? globalThis.document.activeElement.dataset.labGroup : undefined;
         list.replaceChildren(
-          ...all.map(({ group, set }, index) =>
+          ...all.map(({ group, set, count }, index) =>
             h(
               "button",
               { type: "button", class: "lab-group", "data-lab-group": String(index), onclick: () => bench.change({ group: bench.now().shown.group === index ? null : index, picking: null }) },
               swatchOf(group.condition, document.materials),
               h("span", { class: "part-name" }, group.name),
-              h("span", { class: "number" }, set ? text.count(fixed(set.count, 0), lengthOf(set.measure, unit, power)) : ""),
+              h("span", { class: "number" }, set ? text.count(fixed(set.count, 0), lengthOf(set.measure, unit, power)) : count === null ? "" : fixed(count, 0)),
             ),
           ),
         );

@@ -33,7 +33,10 @@ import { words } from "./words.js";
 const FAR = 1e9;
 const STEPS = 1000;
 
-/** @param {Bench} bench @returns {Group} */
+/**
+ * @param {Bench} bench
+ * @returns {Group & {open: (file: File) => Promise<{isOpen: boolean, text: string}>}} with opening an STL, which is told of beside its button
+ */
 export function modelGroup(bench) {
   const text = words.model;
   const kinds = select(
@@ -49,10 +52,14 @@ export function modelGroup(bench) {
   const file = h("input", { type: "file", accept: ".stl,model/stl", hidden: true, "aria-label": text.import, "data-lab-stl": "" });
   file.addEventListener("change", () => {
     const [chosen] = file.files ?? [];
-    if (chosen) void openStl(bench, chosen, tell);
+    if (chosen) void open(chosen);
     file.value = "";
   });
+  const told = h("p", { class: "lab-note lab-told", hidden: true, "data-lab-told": "" });
+  /** The body that what is told belongs to. @type {import("./document.js").Model | null} */
+  let toldOf = null;
   const button = h("button", { type: "button", class: "push", "data-lab-import": "", onclick: () => file.click() }, text.import);
+  const note = h("p", { class: "lab-note" }, text.importNote);
   /** @type {{[field: string]: {element: HTMLElement, error?: HTMLElement, set: (value: number) => void}}} */
   let made = {};
   let madeFor = "";
@@ -67,16 +74,24 @@ export function modelGroup(bench) {
     return { element: chosen.element, set: (/** @type {number} */ next) => chosen.set(String(next)) };
   }
 
-  /** @param {string | null} message why a file was refused */
-  function tell(message) {
-    error.hidden = message === null;
-    write(error, message ?? "");
+  /** @param {File} chosen */
+  async function open(chosen) {
+    const found = await openStl(bench, chosen);
+    error.hidden = found.isOpen;
+    write(error, found.isOpen ? "" : found.text);
+    if (found.isOpen) {
+      toldOf = bench.now().document.model;
+      write(told, found.text);
+    }
+    bench.request();
+    return found;
   }
 
   return {
     name: "model",
     heading: text.heading,
-    body: h("div", {}, row(text.kind, kinds), fields, facts, h("div", { class: "lab-acts" }, button, file), error, h("p", { class: "lab-note" }, text.importNote)),
+    body: h("div", {}, row(text.kind, kinds), fields, facts, h("div", { class: "lab-acts" }, button, file), error, told, note),
+    open,
     phrase() {
       const { document, known } = bench.now();
       const name = text.kinds[document.model.kind] ?? "";
@@ -96,6 +111,8 @@ export function modelGroup(bench) {
         fields.replaceChildren(...all.map(({ name }) => row(text.fields[name], made[name])));
       }
       for (const field of all) made[field.name].set(valueOf(model, field));
+      told.hidden = model !== toldOf;
+      note.hidden = !told.hidden;
       facts.classList.toggle("stale", !isCurrent);
       if (!known) return;
       const { count } = known.mesh;

@@ -24,8 +24,10 @@ import { moveOf } from "../space/keys.js";
 import { createStand, followSize, isElsewhere, whereDrawn } from "../space/stand.js";
 import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
+import { placeOfSide, stepped, wayOf, withSide } from "./box-edit.js";
 import { boundaryGroup } from "./boundary-group.js";
 import { isSameSolution, laboratoryOf } from "./document.js";
+import { withGroup } from "./edits.js";
 import { createFace } from "./face.js";
 import { displayGroup, modelGroup, sectionGroup, solverGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
@@ -34,6 +36,7 @@ import { createPainting } from "./painting.js";
 import { createPicker } from "./picker.js";
 import { offer } from "./picture.js";
 import { createPlaneStage } from "./plane-stage.js";
+import { createPreview } from "./preview.js";
 import { createReader } from "./reader.js";
 import { createRunner } from "./runner.js";
 import { acrossOf, extentOf, planeOf, placed, placeOf } from "./section-state.js";
@@ -41,7 +44,7 @@ import { leave, leftOf } from "./seen.js";
 import { createSpaceView } from "./space-view.js";
 import { FIRST_SHOWN, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
-import { isStl, openStl } from "./stl-file.js";
+import { isStl } from "./stl-file.js";
 import { fixed } from "../format.js";
 import { words } from "./words.js";
 
@@ -70,6 +73,8 @@ function openWorkbench(app, { stage, aside }) {
   /** Why the document cannot be read. @type {string | null} */
   let reason = null;
   let isLost = false;
+  /** A body has taken the place of another, and is not seen yet. */
+  let isAnew = false;
   /** The opening of a document that is shown as it was left. */
   let framed = "";
   /** The one that the camera was fitted to. */
@@ -106,6 +111,10 @@ function openWorkbench(app, { stage, aside }) {
       request();
     },
     takeBack: (run) => void store.cancel(run),
+    seeAnew() {
+      isAnew = true;
+      bench.change({ look: "solution", group: null, picking: null });
+    },
     request,
   };
 
@@ -115,6 +124,7 @@ function openWorkbench(app, { stage, aside }) {
     request();
   });
   const picker = createPicker(bench);
+  const preview = createPreview(bench);
   const view = whereDrawn(() =>
     createSpaceView(app, {
       plane: {
@@ -129,6 +139,18 @@ function openWorkbench(app, { stage, aside }) {
           app.say(sectionText());
         },
       },
+      box: {
+        move: (side, place, run) => moveSide((box, bounds) => withSide(box, side, place, bounds), run),
+        end(side) {
+          bench.endRun();
+          sayBox(side);
+        },
+        undo: bench.takeBack,
+        step(side, steps) {
+          moveSide((box, bounds) => stepped(box, side, steps, bounds));
+          sayBox(side);
+        },
+      },
       read: (place, at, isCross) => reader.read(shown.picking ? null : place, at, ui.value.size, isCross),
       speak: () => reader.speak(),
       tap: (place) => picker.tap(place),
@@ -140,7 +162,7 @@ function openWorkbench(app, { stage, aside }) {
       },
     }),
   );
-  const painting = createPainting(bench, view, () => face.latest);
+  const painting = createPainting(bench, view, () => face.latest, preview);
   const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, signal: over.signal });
   offer({
     get size() {
@@ -183,8 +205,8 @@ function openWorkbench(app, { stage, aside }) {
   const groupsAt = h("div", { class: "bench-groups lab-panels groups" });
   aside.append(groupsAt);
   const acts = { look: (/** @type {any} */ direction) => view?.look(direction), back: () => view?.back ?? /** @type {import("../space/vector.js").Vector} */ ([0, -1, 0]), face: () => face.latest };
-  const section = sectionGroup(bench, acts);
-  const groups = createGroups(groupsAt, words.region, [modelGroup(bench), boundaryGroup(bench), section, solverGroup(bench), materialsGroup(bench), displayGroup(bench, acts)], {
+  const [model, section] = [modelGroup(bench), sectionGroup(bench, acts)];
+  const groups = createGroups(groupsAt, words.region, [model, boundaryGroup(bench, preview), section, solverGroup(bench), materialsGroup(bench), displayGroup(bench, acts)], {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };
@@ -237,6 +259,36 @@ function openWorkbench(app, { stage, aside }) {
       const place = to ?? placeOf(plane) + (isAlong ? by(document) : -by(document));
       return { ...document, section: placed(plane, place, way) };
     }, run);
+  }
+
+  /** The box by which the chosen group picks elements in space, and the body. */
+  function boxNow() {
+    const { document } = bench.now();
+    const box = shown.group === null ? undefined : document.groups[shown.group]?.where.box;
+    return box && known?.mesh.soup ? { box, bounds: known.mesh.bounds } : null;
+  }
+
+  /**
+   * Moves a side of that box.
+   * @param {(box: number[][], bounds: import("../space/vector.js").Bounds) => number[][]} change
+   * @param {string} [run]
+   */
+  function moveSide(change, run) {
+    const now = boxNow();
+    const at = shown.group;
+    if (!now || at === null) return;
+    const { bounds } = now;
+    bench.commit((document) => {
+      const { where } = document.groups[at];
+      return where.box ? withGroup(document, at, { where: { ...where, box: change(where.box, bounds) } }) : document;
+    }, run);
+  }
+
+  /** Says where a side of that box stands, and what the group has of the boundary. @param {import("../space/box-mark.js").Side} side */
+  function sayBox(side) {
+    const now = boxNow();
+    if (!now || shown.group === null) return;
+    app.say(words.box.said(side, fixed(placeOfSide(now.box, side, now.bounds), 2), preview.count(shown.group)));
   }
 
   const sectionText = () => {
@@ -293,7 +345,13 @@ function openWorkbench(app, { stage, aside }) {
   /** Fits the camera to a body that was not seen before. */
   function fit() {
     const { name } = store.origin;
-    if (!view || !known?.mesh.soup || fittedTo === name || !bench.now().isCurrent) return;
+    if (!view || !known?.mesh.soup || !bench.now().isCurrent) return;
+    if (isAnew) {
+      isAnew = false;
+      fittedTo = name;
+      view.fit(STANDARD.iso);
+    }
+    if (fittedTo === name) return;
     fittedTo = name;
     const seen = leftOf(app, name);
     if (seen?.camera) view.restore(seen.camera);
@@ -341,6 +399,13 @@ function openWorkbench(app, { stage, aside }) {
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summaryOf(bench)));
       const way = extent();
+      const box = boxNow();
+      if (box) {
+        view.describeBox((side) => {
+          const now = placeOfSide(box.box, side, box.bounds);
+          return { text: words.box.value(side, fixed(now, 2)), now, extent: wayOf(box.box, side, box.bounds) };
+        });
+      }
       if (document.section && way) view.mark.describe(sectionText(), placeOf(document.section), way);
     }
     if (!isSpace) plane.render();
@@ -391,8 +456,11 @@ function openWorkbench(app, { stage, aside }) {
     else if (event.key === "Enter" && isOnPicture) {
       seen.readMiddle(true);
       if (shown.picking) picker.tap(seen.middle);
-    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) bench.change({ group: null });
-    else return false;
+    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) {
+      // The handles of its box go with the group.
+      if (event.target instanceof Element && event.target.closest("[data-box-handle]")) keyboard.focus({ preventScroll: true });
+      bench.change({ group: null });
+    } else return false;
     return true;
   }
 
@@ -405,7 +473,8 @@ function openWorkbench(app, { stage, aside }) {
       event.preventDefault();
       event.stopImmediatePropagation();
       find("#drop").hidden = true;
-      void openStl(bench, dropped, (text) => ui.set({ note: text === null ? null : { tone: "error", text } }));
+      // The group Body may be closed.
+      void model.open(dropped).then(({ isOpen, text }) => ui.set({ note: isOpen ? null : { tone: "error", text } }));
     },
     { signal: over.signal, capture: true },
   );

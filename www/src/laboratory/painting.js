@@ -4,8 +4,10 @@
  *
  * @import { Face } from "./face.js"
  * @import { SpaceView } from "./space-view.js"
+ * @import { createPreview } from "./preview.js"
  * @import { Bench } from "./state.js"
  */
+import { drawnBox } from "./box-edit.js";
 import { elementLabs, hatchedOf } from "./element-colors.js";
 import { rimOf } from "./mesh.js";
 import { colorsOf, grown, levelLines, LEVELS } from "./pixels.js";
@@ -18,8 +20,9 @@ const GROWN = 2;
  * @param {Bench} bench
  * @param {SpaceView | null} view null where nothing is drawn
  * @param {() => Face | null} latest
+ * @param {ReturnType<typeof createPreview>} preview
  */
-export function createPainting(bench, view, latest) {
+export function createPainting(bench, view, latest, preview) {
   /** What boundary, marks and face were painted with last. @type {{[what: string]: unknown[]}} */
   const before = {};
 
@@ -34,14 +37,17 @@ export function createPainting(bench, view, latest) {
     boundary() {
       const { document, known, shown } = bench.now();
       if (!known?.mesh.soup || !view) return;
-      const { boundary, mesh } = known;
+      const { mesh } = known;
+      const dragged = preview.boundary;
+      const boundary = dragged ?? known.boundary;
       const solution = shown.color === "solved" ? known.solution : null;
-      view.set({ mesh, plane: document.section ? planeOf(document.section) : null, shown, theme: bench.app.ui.value.theme });
+      const box = shown.group === null || shown.picking ? undefined : document.groups[shown.group]?.where.box;
+      view.set({ mesh, plane: document.section ? planeOf(document.section) : null, box: box?.[0].length === 3 ? drawnBox(box, mesh.bounds) : null, shown, theme: bench.app.ui.value.theme });
       if (isNew("boundary", [boundary, solution, shown.color, document.materials])) {
         view.scene.paint(elementLabs(boundary, document.materials, solution), hatchedOf(boundary, shown.color === "given" || !solution));
       }
       if (!isNew("marks", [boundary, shown.group])) return;
-      const isFaulty = boundary.diagnostics.some(({ code }) => code === "missing" || code === "conflict");
+      const isFaulty = !dragged && boundary.diagnostics.some(({ code }) => code === "missing" || code === "conflict");
       view.scene.mark(
         shown.group === null ? [] : rimOf(mesh.joints, (element) => boundary.members[element] === shown.group),
         isFaulty ? rimOf(mesh.joints, (element) => boundary.groups[element] >= boundary.conditions.length) : [],

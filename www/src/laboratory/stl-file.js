@@ -1,45 +1,52 @@
 /**
- * Opening an STL of the person's own as the body of the problem: by a button or by dropping it. Whatever is wrong with it, the problem stays.
+ * Opening an STL of the person's own as the body of the problem: by a button or by dropping it. It comes with a first problem; whatever is wrong with it, the
+ * problem that was open stays.
  *
  * @import { Bench } from "./state.js"
  */
+import { fixed } from "../format.js";
 import { problem } from "../painter.js";
-import { AXES } from "../space/section.js";
-import { middleOf } from "../space/vector.js";
 import { strings } from "../strings.js";
 import { withModel } from "./edits.js";
-import { boundsOf } from "./mesh.js";
-import { through } from "./section-state.js";
+import { firstProblem } from "./first-problem.js";
 import { words } from "./words.js";
 
 /** Bytes of a file at most: a text of as many triangles as the solver takes stays below. */
 const MOST_BYTES = 16 << 20;
+/** Letters of a title, as in docs/format.md. */
+const MOST_LETTERS = 200;
 
 /**
  * @param {Bench} bench
  * @param {File} file
- * @param {(message: string | null) => void} tell why it was refused; null when it was taken
+ * @returns {Promise<{isOpen: boolean, text: string}>} what is said of it: the problem that it has now, or why it was refused
  */
-export async function openStl(bench, file, tell) {
+export async function openStl(bench, file) {
   const text = words.model;
   try {
-    if (file.size > MOST_BYTES) throw new Error(`it has ${Math.round(file.size / 2 ** 20)} MiB; expected at most 16`);
+    if (file.size > MOST_BYTES) throw new Error(text.tooLarge(Math.round(file.size / 2 ** 20), MOST_BYTES >> 20));
     const found = await bench.app.kernel.readMesh(await file.arrayBuffer());
     const triangles = threes(found.triangles);
     const model = { kind: "mesh", vertices: threes(found.vertices), triangles };
     // A boundary that the kernel cannot read at all is refused before it takes the place of the body.
     const { section: _section, ...document } = withModel(bench.now().document, model);
     const boundary = await bench.app.kernel.boundary(/** @type {any} */ (document));
-    // A plane through its middle shows the solution at once.
-    const section = through(AXES.y, middleOf(boundsOf(boundary)));
-    bench.commit((now) => ({ ...withModel(now, model), section }));
-    tell(null);
-    bench.app.say(text.imported(file.name, triangles.length));
+    const title = file.name.replace(/\.stl$/i, "").slice(0, MOST_LETTERS);
+    let set = "";
+    bench.commit((now) => {
+      const first = firstProblem(now, model, boundary, title);
+      set = first.told;
+      return first.document;
+    });
+    bench.seeAnew();
+    const told = text.imported(file.name, fixed(triangles.length, 0), set);
+    bench.app.say(told);
+    return { isOpen: true, text: told };
   } catch (error) {
     const { path = "", message: reason } = problem(error);
     const message = text.refused(file.name, strings.errors.document(path, reason));
-    tell(message);
     bench.app.say(message);
+    return { isOpen: false, text: message };
   }
 }
 
