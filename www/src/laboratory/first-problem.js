@@ -1,14 +1,15 @@
 /**
  * A first problem on a body of the person's own: the two ends of its longest extent are held at two materials, and nothing flows through the rest. The
- * section runs along that extent, where the body fills it best.
+ * section runs along that extent.
  *
  * @import { Bounds, Vector } from "../space/vector.js"
  * @import { Boundary, Group, LaboratoryDocument, Model, Solver } from "./document.js"
+ * @import { Soup } from "./mesh.js"
  * @import { Section } from "./section-state.js"
  */
 import { cutOf } from "../space/plane.js";
 import { AXES } from "../space/section.js";
-import { middleOf, subtract } from "../space/vector.js";
+import { middleOf, scaled, subtract } from "../space/vector.js";
 import { written } from "./box-edit.js";
 import { MOST } from "./document.js";
 import { insulated, pure, solverOf } from "./edits.js";
@@ -19,13 +20,18 @@ import { words } from "./words.js";
 /** How deep each end is, as a share of the longest extent, and how far its box reaches beyond the body. */
 const DEPTH = 0.1;
 const BEYOND = 0.02;
-/** Places that a section is tried at, from a third of the body to two thirds, and stations along the longest extent that it should reach. */
-const TRIES = 33;
-const STATIONS = 64;
-/** Stations that a section may miss and still be as good as the best. */
-const AS_GOOD = 1;
+/** Places that a section is tried at, from a third of the body to two thirds, and stations along the longest extent at which its width is taken. */
+const TRIES = 17;
+const STATIONS = 60;
+/** The share of the greatest width that is as good, and how much wider the plane seen less well from the corner has to be. */
+const AS_WIDE = 0.9;
+const WIDER = 1.5;
 
 /** @typedef {0 | 1 | 2} Axis */
+
+const UNITS = [AXES.x, AXES.y, AXES.z];
+/** Axes that a plane can stand across, first the one that is seen best from the corner. @type {readonly Axis[]} */
+const ACROSS = [1, 0, 2];
 
 /** The axes from the longest extent to the shortest; of equal ones the height comes first. @param {Bounds} bounds @returns {Axis[]} */
 function axesOf({ min, max }) {
@@ -84,36 +90,55 @@ function withoutOmega({ omega: _omega, ...rest }) {
 }
 
 /**
- * A plane along the longest extent, at the place nearest to the middle where it reaches as much of that extent as it can: the shaft of a bent body may
- * pass by its middle.
+ * How much a plane shows of a body: its outline has a width at stations along the longest extent, and a tenth of them may be narrower than what is told.
+ * @param {Soup} soup
+ * @param {Bounds} bounds
+ * @param {Axis} along the longest extent
+ * @param {Axis} across the plane
+ * @param {number} place of the plane
+ */
+function widthAt(soup, bounds, along, across, place) {
+  const { positions } = cutOf(soup, { normal: UNITS[across], offset: place }, new Float32Array(soup.positions.length));
+  const other = 3 - along - across;
+  const [low, size] = [bounds.min[along], bounds.max[along] - bounds.min[along]];
+  const stationOf = (/** @type {number} */ at) => (STATIONS * (at - low)) / size - 0.5;
+  const [least, most] = [new Array(STATIONS).fill(Infinity), new Array(STATIONS).fill(-Infinity)];
+  for (let n = 0; n < positions.length; n += 6) {
+    const [a, b] = [stationOf(positions[n + along]), stationOf(positions[n + 3 + along])];
+    const [from, to] = [positions[n + other], positions[n + 3 + other]];
+    for (let k = Math.max(0, Math.ceil(Math.min(a, b))); k <= Math.min(STATIONS - 1, Math.max(a, b)); k += 1) {
+      const at = a === b ? from : from + ((k - a) / (b - a)) * (to - from);
+      least[k] = Math.min(least[k], at);
+      most[k] = Math.max(most[k], at);
+    }
+  }
+  const widths = most.map((value, k) => Math.max(0, value - least[k])).sort((a, b) => a - b);
+  return widths[Math.floor(STATIONS / 10)];
+}
+
+/**
+ * A plane along the longest extent, near the middle of the body; where the body bends away from its middle, where it is seen at its widest.
  * @param {Boundary} boundary
  * @param {Bounds} bounds
  * @param {Axis} along the axis of the longest extent
  * @returns {Section}
  */
 export function sectionAlong(boundary, bounds, along) {
-  const across = along === 1 ? 0 : 1;
-  const normal = across === 1 ? AXES.y : /** @type {Vector} */ ([-1, 0, 0]);
-  const middle = middleOf(bounds);
   const soup = soupOf(boundary);
-  const nothing = new Float32Array(soup.positions.length);
-  const [low, size] = [bounds.min[along], bounds.max[along] - bounds.min[along]];
-  const station = (/** @type {number} */ place) => Math.min(STATIONS - 1, Math.max(0, Math.floor((STATIONS * (place - low)) / size)));
-  const tries = Array.from({ length: TRIES }, (_, k) => {
-    const share = 1 / 3 + k / (3 * (TRIES - 1));
-    const place = bounds.min[across] + share * (bounds.max[across] - bounds.min[across]);
-    const { positions } = cutOf(soup, { normal, offset: normal[across] * place }, nothing);
-    const met = new Uint8Array(STATIONS);
-    for (let n = 0; n < positions.length; n += 6) {
-      const ends = [station(positions[n + along]), station(positions[n + 3 + along])];
-      met.fill(1, Math.min(...ends), Math.max(...ends) + 1);
-    }
-    return { place, off: Math.abs(share - 0.5), met: met.reduce((sum, each) => sum + each, 0) };
+  const middle = middleOf(bounds);
+  const planes = ACROSS.filter((axis) => axis !== along).map((across) => {
+    const tries = Array.from({ length: TRIES }, (_, k) => {
+      const off = (k / (TRIES - 1) - 0.5) / 3;
+      const place = middle[across] + off * (bounds.max[across] - bounds.min[across]);
+      return { off: Math.abs(off), place, width: widthAt(soup, bounds, along, across, place) };
+    });
+    const widest = Math.max(...tries.map(({ width }) => width));
+    const [{ off, place, width }] = tries.filter((each) => each.width >= AS_WIDE * widest).sort((a, b) => a.off - b.off);
+    return { across, width, place: off < 1e-9 ? place : written(place, bounds) };
   });
-  const best = Math.max(...tries.map(({ met }) => met));
-  const chosen = tries.filter(({ met }) => met >= best - AS_GOOD).sort((a, b) => a.off - b.off)[0];
-  const place = chosen.off < 1e-9 ? middle[across] : written(chosen.place, bounds);
-  return through(normal, /** @type {Vector} */ (middle.map((value, axis) => (axis === across ? place : value))));
+  const [first, second] = planes;
+  const { across, place } = second.width > WIDER * first.width ? second : first;
+  return through(across === 1 ? AXES.y : scaled(UNITS[across], -1), /** @type {Vector} */ (middle.map((value, axis) => (axis === across ? place : value))));
 }
 
 /**

@@ -296,6 +296,12 @@ function openWorkbench(app, { stage, aside }) {
     return plane ? words.section.value(acrossOf(plane), fixed(placeOf(plane), 2)) : words.section.off;
   };
 
+  /** What the face shows: while the same body is solved anew, the solution before it stays in sight. */
+  function solvedOf() {
+    const isWorking = known !== null && !known.solution && known.boundary.ready && !known.unsolved;
+    return isWorking && face.latest?.of.mesh === known?.mesh ? (face.latest?.of ?? null) : known;
+  }
+
   /** Whether a place of the plane is inside, as the pixels of its face have it. @param {import("../space/vector.js").Vector} point */
   function isInside(point) {
     const found = face.latest;
@@ -394,7 +400,7 @@ function openWorkbench(app, { stage, aside }) {
     painting.boundary();
     fit();
     if (isSpace) resize();
-    face.request(bench.now().isCurrent || (known?.solution && store.running) ? known : known?.solution ? known : null, document.section ?? null);
+    face.request(solvedOf(), document.section ?? null);
     painting.face();
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summaryOf(bench)));

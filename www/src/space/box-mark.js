@@ -14,15 +14,15 @@
  * @property {(run: string) => void} undo
  * @property {(side: Side, steps: number) => void} step by keys, towards greater coordinates: 1 is a step, 10 a long one, 0.1 a short one
  */
-import { BoxGeometry, DoubleSide, Mesh, MeshBasicMaterial } from "three";
+import { BackSide, BoxGeometry, Mesh, MeshBasicMaterial } from "three";
 import { attribute, h, svg } from "../dom.js";
 import { seenAt } from "./camera.js";
 import { Lines } from "./lines.js";
 import { SlideHandle } from "./slide-handle.js";
-import { cornersOf, middleOf, scaled, subtract } from "./vector.js";
+import { cornersOf, middleOf, subtract } from "./vector.js";
 
-/** Opacity of the sides. */
-const FILL = 0.05;
+/** Opacity of the sides away from the eye: nothing lies over the colours of the body. */
+const FILL = 0.07;
 /** CSS pixels of the stem from a side to its handle, so that those of a thin box stand apart. */
 const STEM = 18;
 /** Corners that are joined by an edge, by their places in `cornersOf`. */
@@ -35,7 +35,7 @@ export const SIDES = /** @type {const} */ ([0, 1, 2]).flatMap((axis) => /** @typ
 const signOf = ({ end }) => (end === "max" ? 1 : -1);
 
 export class BoxMark {
-  #fill = new Mesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: DoubleSide }));
+  #fill = new Mesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: BackSide }));
   #outline = new Lines([], { color: "#4a45c8", width: 1.25, order: 32 });
   #stems = SIDES.map(() => svg("path", { class: "plane-arrow" }));
   #slides;
@@ -72,8 +72,7 @@ export class BoxMark {
     if (!box) return;
     const size = subtract(box.max, box.min);
     this.#fill.position.set(...middleOf(box));
-    // Without any thickness a side would have no direction to be drawn in.
-    this.#fill.scale.set(...scaled(size.map((value) => Math.max(value, Number.MIN_VALUE)), 1));
+    this.#fill.scale.set(...size);
     const corners = cornersOf(box);
     this.#outline.set(EDGES.flatMap((corner) => corners[corner]));
   }

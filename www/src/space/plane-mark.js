@@ -24,6 +24,8 @@ import { add, between, scaled } from "./vector.js";
 /** How far the frame reaches beyond the body, as a share of the body, and the opacity of the plane. */
 const ROOM = 0.1;
 const FILL = 0.035;
+/** The plane lies a little behind the face of the section, whose colours it would tint. */
+const BEHIND = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4 };
 /** CSS pixels: the squares at the corners, and the arrow with its head. */
 const SQUARE = 7;
 const ARROW = 46;
@@ -31,7 +33,7 @@ const HEAD = 5;
 
 export class PlaneMark {
   #geometry = new BufferGeometry();
-  #fill = new Mesh(this.#geometry, new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: DoubleSide }));
+  #fill = new Mesh(this.#geometry, new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: DoubleSide, ...BEHIND }));
   #outline = new Lines([], { color: "#4a45c8", width: 1, order: 30 });
   #squares = [0, 1, 2, 3].map(() => svg("rect", { class: "plane-square", width: SQUARE, height: SQUARE, rx: 1 }));
   #arrow = svg("path", { class: "plane-arrow" });
