@@ -225,7 +225,7 @@ function createDetails(bench) {
   picking.element.classList.add("wide");
   const pick = h("button", { type: "button", class: "push", "data-lab-pick": "", onclick: () => bench.change({ picking: bench.now().shown.picking ? null : "direction" }) }, text.pick);
   const pickNote = h("p", { class: "lab-note" }, text.picking);
-  const pickRows = h("div", {}, picking.element, pickNote);
+  const pickRows = h("div", { class: "lab-picks" }, picking.element, pickNote);
   const element = h(
     "div",
     { class: "lab-details", "data-lab-details": "" },

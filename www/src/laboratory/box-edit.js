@@ -24,9 +24,25 @@ export function reachOf(bounds) {
 
 /** A number with no more digits than a person sees a difference by. @param {number} value @param {Bounds} bounds of the body */
 export function written(value, bounds) {
-  const power = PLACES / 10 ** Math.floor(Math.log10(longest(bounds)));
-  return Number((Math.round(value * power) / power).toPrecision(12)) + 0;
+  const power = powerOf(bounds);
+  return neat(Math.round(value * power) / power);
 }
+
+/** Places for a unit of length. @param {Bounds} bounds */
+const powerOf = (bounds) => PLACES / 10 ** Math.floor(Math.log10(longest(bounds)));
+
+/** Without what rounding leaves, and never a negative zero. @param {number} value */
+const neat = (value) => Number(value.toPrecision(12)) + 0;
+
+/** A box round a body whose coordinates are written shortly. @param {Bounds} bounds @returns {[Vector, Vector]} */
+export function boxRound(bounds) {
+  const power = powerOf(bounds);
+  const rounded = (/** @type {Vector} */ corner, /** @type {(value: number) => number} */ round) => /** @type {Vector} */ (corner.map((value) => neat(round(Number((value * power).toPrecision(12))) / power)));
+  return [rounded(bounds.min, Math.floor), rounded(bounds.max, Math.ceil)];
+}
+
+/** Decimals by which places of a body are told apart. @param {Bounds} bounds of the body @param {number} [digits] of a body as long as a unit @param {number} [least] */
+export const decimalsOf = (bounds, digits = 2, least = 2) => Math.max(least, digits - Math.floor(Math.log10(longest(bounds))));
 
 /** Two opposite corners as the least and the greatest coordinates. @param {readonly number[][]} box @returns {Bounds} */
 const sorted = ([a, b]) => ({

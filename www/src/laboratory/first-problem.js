@@ -33,10 +33,11 @@ const UNITS = [AXES.x, AXES.y, AXES.z];
 /** Axes that a plane can stand across, first the one that is seen best from the corner. @type {readonly Axis[]} */
 const ACROSS = [1, 0, 2];
 
-/** The axes from the longest extent to the shortest; of equal ones the height comes first. @param {Bounds} bounds @returns {Axis[]} */
-function axesOf({ min, max }) {
+/** The axes from the longest extent to the shortest; of equal ones the height comes first. @param {Bounds} bounds @param {2 | 3} dimension @returns {Axis[]} */
+function axesOf({ min, max }, dimension) {
   const size = subtract(max, min);
-  return /** @type {Axis[]} */ ([2, 0, 1]).sort((a, b) => size[b] - size[a]);
+  const axes = /** @type {Axis[]} */ (dimension === 3 ? [2, 0, 1] : [1, 0]);
+  return axes.sort((a, b) => size[b] - size[a]);
 }
 
 /**
@@ -68,13 +69,14 @@ function endsAlong(boundary, axis, bounds) {
  * @param {Axis} axis
  * @param {"min" | "max"} end
  * @param {number} depth the coordinate that it reaches into the body
+ * @param {2 | 3} dimension
  * @returns {number[][]}
  */
-function boxAt(bounds, axis, end, depth) {
+function boxAt(bounds, axis, end, depth, dimension) {
   const room = BEYOND * Math.max(...subtract(bounds.max, bounds.min));
   const [min, max] = [bounds.min.map((value) => written(value - room, bounds)), bounds.max.map((value) => written(value + room, bounds))];
   (end === "min" ? max : min)[axis] = depth;
-  return [min, max];
+  return [min.slice(0, dimension), max.slice(0, dimension)];
 }
 
 /** The solver as it is, unless it does not take so many elements. @param {LaboratoryDocument} document @param {number} count @returns {Solver} */
@@ -150,15 +152,16 @@ export function sectionAlong(boundary, bounds, along) {
  */
 export function firstProblem(document, model, boundary, title) {
   const bounds = boundsOf(boundary);
-  const axes = axesOf(bounds);
+  const { dimension } = boundary;
+  const axes = axesOf(bounds, dimension);
   const { section: _section, rest: _rest, ...kept } = document;
   const solver = solverFor(document, countOf(boundary));
-  const whole = { ...kept, title, model, solver, section: sectionAlong(boundary, bounds, axes[0]) };
+  const whole = { ...kept, title, model, solver, ...(dimension === 3 ? { section: sectionAlong(boundary, bounds, axes[0]) } : {}) };
   const along = axes.find((axis) => endsAlong(boundary, axis, bounds));
   const ends = along === undefined ? null : endsAlong(boundary, along, bounds);
   if (along === undefined || !ends) return { document: { ...whole, groups: [], rest: pure(document, 0) }, told: words.first.one(document.materials[0].name) };
   /** @type {Group[]} */
-  const groups = /** @type {const} */ (["min", "max"]).map((end, k) => ({ name: words.first.ends[along][k], where: { box: boxAt(bounds, along, end, ends[k]) }, condition: pure(document, k) }));
+  const groups = /** @type {const} */ (["min", "max"]).map((end, k) => ({ name: words.first.ends[dimension === 2 && along === 1 ? 2 : along][k], where: { box: boxAt(bounds, along, end, ends[k], dimension) }, condition: pure(document, k) }));
   return {
     document: { ...whole, groups, rest: insulated(document) },
     told: words.first.two(groups.map(({ name }, k) => [document.materials[k].name, name])),

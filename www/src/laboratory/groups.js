@@ -17,6 +17,7 @@ import { select } from "../controls/select.js";
 import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
+import { problem } from "../painter.js";
 import { fact } from "../space/card.js";
 import { measure, numberText } from "../space/measure.js";
 import { AXES } from "../space/section.js";
@@ -25,8 +26,8 @@ import { middleOf, scaled } from "../space/vector.js";
 import { MOST } from "./document.js";
 import { solverOf, withModel, withSolver } from "./edits.js";
 import { dimensionOf, isNamed, modelOf, MODELS, valueOf } from "./models.js";
+import { openStl, takeBody } from "./new-body.js";
 import { acrossOf, extentOf, flipped, placed, placeOf, through } from "./section-state.js";
-import { openStl } from "./stl-file.js";
 import { words } from "./words.js";
 
 /** Largest coordinate of the format, and steps of the slider of the plane. */
@@ -42,7 +43,10 @@ export function modelGroup(bench) {
   const kinds = select(
     { label: text.kind, name: "lab-model", choices: [...Object.keys(MODELS), "mesh"].map((value) => ({ value, text: text.kinds[value] })) },
     (kind) => {
-      if (kind !== "mesh") bench.commit((document) => (document.model.kind === kind ? document : withModel(document, modelOf(kind))));
+      const now = bench.now().document.model;
+      // Boxes and planes of a body of one's own are far from a named one.
+      if (now.kind === "mesh" && kind !== "mesh") void take(kind);
+      else if (kind !== "mesh") bench.commit((document) => (document.model.kind === kind ? document : withModel(document, modelOf(kind))));
       bench.request();
     },
   );
@@ -77,14 +81,30 @@ export function modelGroup(bench) {
   /** @param {File} chosen */
   async function open(chosen) {
     const found = await openStl(bench, chosen);
-    error.hidden = found.isOpen;
-    write(error, found.isOpen ? "" : found.text);
-    if (found.isOpen) {
+    tell(found.isOpen, found.text);
+    return found;
+  }
+
+  /** A named shape after one of the person's own. @param {string} kind */
+  async function take(kind) {
+    try {
+      const set = await takeBody(bench, modelOf(kind), text.kinds[kind]);
+      bench.app.say(set);
+      tell(true, set);
+    } catch (reason) {
+      tell(false, problem(reason).message);
+    }
+  }
+
+  /** @param {boolean} isTaken @param {string} message */
+  function tell(isTaken, message) {
+    error.hidden = isTaken;
+    write(error, isTaken ? "" : message);
+    if (isTaken) {
       toldOf = bench.now().document.model;
-      write(told, found.text);
+      write(told, message);
     }
     bench.request();
-    return found;
   }
 
   return {

@@ -24,7 +24,7 @@ import { moveOf } from "../space/keys.js";
 import { createStand, followSize, isElsewhere, whereDrawn } from "../space/stand.js";
 import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
-import { placeOfSide, stepped, wayOf, withSide } from "./box-edit.js";
+import { decimalsOf, placeOfSide, stepped, wayOf, withSide } from "./box-edit.js";
 import { boundaryGroup } from "./boundary-group.js";
 import { isSameSolution, laboratoryOf } from "./document.js";
 import { withGroup } from "./edits.js";
@@ -32,6 +32,7 @@ import { createFace } from "./face.js";
 import { displayGroup, modelGroup, sectionGroup, solverGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
 import { materialsGroup } from "./materials-group.js";
+import { isStl } from "./new-body.js";
 import { createPainting } from "./painting.js";
 import { createPicker } from "./picker.js";
 import { offer } from "./picture.js";
@@ -44,7 +45,6 @@ import { leave, leftOf } from "./seen.js";
 import { createSpaceView } from "./space-view.js";
 import { FIRST_SHOWN, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
-import { isStl } from "./stl-file.js";
 import { fixed } from "../format.js";
 import { words } from "./words.js";
 
@@ -140,7 +140,10 @@ function openWorkbench(app, { stage, aside }) {
         },
       },
       box: {
-        move: (side, place, run) => moveSide((box, bounds) => withSide(box, side, place, bounds), run),
+        move(side, place, run) {
+          view?.readMiddle(false);
+          moveSide((box, bounds) => withSide(box, side, place, bounds), run);
+        },
         end(side) {
           bench.endRun();
           sayBox(side);
@@ -288,7 +291,8 @@ function openWorkbench(app, { stage, aside }) {
   function sayBox(side) {
     const now = boxNow();
     if (!now || shown.group === null) return;
-    app.say(words.box.said(side, fixed(placeOfSide(now.box, side, now.bounds), 2), preview.count(shown.group)));
+    const answered = bench.now().isCurrent ? (known?.boundary.sets[shown.group]?.count ?? null) : null;
+    app.say(words.box.said(side, fixed(placeOfSide(now.box, side, now.bounds), decimalsOf(now.bounds)), preview.count(shown.group) ?? answered));
   }
 
   const sectionText = () => {
@@ -409,7 +413,7 @@ function openWorkbench(app, { stage, aside }) {
       if (box) {
         view.describeBox((side) => {
           const now = placeOfSide(box.box, side, box.bounds);
-          return { text: words.box.value(side, fixed(now, 2)), now, extent: wayOf(box.box, side, box.bounds) };
+          return { text: words.box.value(side, fixed(now, decimalsOf(box.bounds))), now, extent: wayOf(box.box, side, box.bounds) };
         });
       }
       if (document.section && way) view.mark.describe(sectionText(), placeOf(document.section), way);

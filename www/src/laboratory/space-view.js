@@ -69,7 +69,8 @@ export function createSpaceView(app, { plane, box: moves, read, speak, tap, isIn
       speak();
     },
     tap: (at) => tap(placeAt(at)),
-    hull: () => (picture ? cornersOf(picture.mesh.bounds) : []),
+    // With the frame of the section, which would lie over the words above the body.
+    hull: () => (picture ? [...cornersOf(picture.mesh.bounds), ...mark.corners] : []),
     box: () => picture?.mesh.bounds ?? null,
     reach: () => box.corners,
     rested,

@@ -11,6 +11,7 @@ import { icon } from "../icons.js";
 import { fillStatus } from "../modes/status-line.js";
 import { numberText } from "../space/measure.js";
 import { strings } from "../strings.js";
+import { solverOf } from "./edits.js";
 import { words } from "./words.js";
 
 /** Below this a share of the flux counts as rounding. */
@@ -47,7 +48,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
                 ? h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), h("span", { class: "strong" }, words.status.verified))
                 : h("span", { class: "item verdict failed" }, words.status.notConverged(Math.max(...solution.iterations))),
               count(),
-              Math.max(...solution.iterations) > 0 ? item("iterations", strong(solution.iterations.join(" + ")), label(words.status.iterations)) : item("iterations", label(words.status.lu)),
+              known && solverOf(known.document).method === "gmres" ? item("iterations", strong(solution.iterations.join(" + ")), label(words.status.iterations)) : item("iterations", label(words.status.lu)),
               item("residual", label(words.status.residual), strong(numberText(lastOf(solution.residuals)))),
               item("closure", label(words.status.closure), strong(numberText(solution.closure))),
               item("balance", label(words.status.balance), strong(numberText(Math.max(...solution.fluxBalance.map(Math.abs))))),
@@ -55,7 +56,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
               known?.accuracy && item("error", label(words.status.error), strong(numberText(known.accuracy.error))),
               item("ms", strong(milliseconds(solution.times.assembly + solution.times.solve)), label(words.status.ms)),
             ].filter((node) => node !== null && node !== undefined)
-          : [label(words.loading)];
+          : [label(words.loading), ...(known ? [count()] : [])];
   fillStatus(element, verdict, /** @type {Node[]} */ (left), remark());
 
   function count() {
@@ -74,7 +75,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
   /** @returns {(Node | null)[]} */
   function remark() {
     const { note } = bench.app.ui.value;
-    if (bench.app.results.value.slow) return [label(words.loading), command("cancel", words.cancel, cancel)];
+    if (bench.app.results.value.slow) return [...(solution ? [label(words.loading)] : []), command("cancel", words.cancel, cancel)];
     if (note?.tone === "error") return [h("span", { class: "failed reason" }, note.text), note.text === strings.errors.trap ? command("retry", words.tryAgain, retry) : null];
     if (note) return [label(note.text), note.text === words.cancelled ? command("retry", words.tryAgain, retry) : null];
     return [solution && solution.imbalance > SPREAD ? h("span", { class: "warning" }, words.status.imbalance(numberText(solution.imbalance))) : null];

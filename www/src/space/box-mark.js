@@ -23,8 +23,8 @@ import { cornersOf, middleOf, subtract } from "./vector.js";
 
 /** Opacity of the sides away from the eye: nothing lies over the colours of the body. */
 const FILL = 0.07;
-/** CSS pixels of the stem from a side to its handle, so that those of a thin box stand apart. */
-const STEM = 18;
+/** CSS pixels of the stem from a side to its handle, so that those of a thin box stand apart, by pointer and by touch. */
+const STEM = { fine: 18, coarse: 26 };
 /** Corners that are joined by an edge, by their places in `cornersOf`. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7];
 
@@ -39,6 +39,7 @@ export class BoxMark {
   #outline = new Lines([], { color: "#4a45c8", width: 1.25, order: 32 });
   #stems = SIDES.map(() => svg("path", { class: "plane-arrow" }));
   #slides;
+  #coarse = matchMedia("(pointer: coarse)");
   /** @type {Bounds | null} */
   #box = null;
 
@@ -94,11 +95,12 @@ export class BoxMark {
     const box = this.#box;
     if (!box) return;
     const middle = middleOf(box);
+    const stem = this.#coarse.matches ? STEM.coarse : STEM.fine;
     const depths = SIDES.map((side, k) => {
       const foot = /** @type {Vector} */ (middle.map((value, axis) => (axis === side.axis ? box[side.end][axis] : value)));
       const outwards = /** @type {Vector} */ ([0, 1, 2].map((axis) => (axis === side.axis ? signOf(side) : 0)));
-      const { at, by, length } = this.#slides[k].aim(camera, frame, foot, outwards, STEM);
-      const far = length > 0 ? STEM / Math.max(length, STEM / 2) : 0;
+      const { at, by, length } = this.#slides[k].aim(camera, frame, foot, outwards, stem);
+      const far = length > 0 ? stem / Math.max(length, stem / 2) : 0;
       const end = this.#slides[k].put([at[0] + by[0] * far, at[1] + by[1] * far], frame);
       attribute(this.#stems[k], "d", `M${at.map(round)}L${end.map(round)}`);
       return seenAt(camera, frame, foot).depth;

@@ -1,12 +1,12 @@
 /**
- * Opening an STL of the person's own as the body of the problem: by a button or by dropping it. It comes with a first problem; whatever is wrong with it, the
- * problem that was open stays.
+ * Bodies that share nothing with the one that is open: an STL of the person's own, and a named shape after one. They come with a first problem, in one edit.
  *
  * @import { Bench } from "./state.js"
+ * @import { Model } from "./document.js"
  */
-import { fixed } from "../format.js";
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
+import { fixed } from "../format.js";
 import { withModel } from "./edits.js";
 import { firstProblem } from "./first-problem.js";
 import { words } from "./words.js";
@@ -17,6 +17,28 @@ const MOST_BYTES = 16 << 20;
 const MOST_LETTERS = 200;
 
 /**
+ * Takes a body with a first problem.
+ * @param {Bench} bench
+ * @param {Model} model
+ * @param {string} title
+ * @returns {Promise<string>} what was set, in words
+ * @throws {Error} where the kernel cannot read the body at all; then nothing has changed
+ */
+export async function takeBody(bench, model, title) {
+  const { section: _section, ...document } = withModel(bench.now().document, model);
+  const boundary = await bench.app.kernel.boundary(/** @type {any} */ ({ ...document, groups: [] }));
+  let told = "";
+  bench.commit((now) => {
+    const first = firstProblem(now, model, boundary, title.slice(0, MOST_LETTERS));
+    told = first.told;
+    return first.document;
+  });
+  bench.seeAnew();
+  return told;
+}
+
+/**
+ * Opens an STL. Whatever is wrong with it, the problem that was open stays.
  * @param {Bench} bench
  * @param {File} file
  * @returns {Promise<{isOpen: boolean, text: string}>} what is said of it: the problem that it has now, or why it was refused
@@ -26,20 +48,8 @@ export async function openStl(bench, file) {
   try {
     if (file.size > MOST_BYTES) throw new Error(text.tooLarge(Math.round(file.size / 2 ** 20), MOST_BYTES >> 20));
     const found = await bench.app.kernel.readMesh(await file.arrayBuffer());
-    const triangles = threes(found.triangles);
-    const model = { kind: "mesh", vertices: threes(found.vertices), triangles };
-    // A boundary that the kernel cannot read at all is refused before it takes the place of the body.
-    const { section: _section, ...document } = withModel(bench.now().document, model);
-    const boundary = await bench.app.kernel.boundary(/** @type {any} */ (document));
-    const title = file.name.replace(/\.stl$/i, "").slice(0, MOST_LETTERS);
-    let set = "";
-    bench.commit((now) => {
-      const first = firstProblem(now, model, boundary, title);
-      set = first.told;
-      return first.document;
-    });
-    bench.seeAnew();
-    const told = text.imported(file.name, fixed(triangles.length, 0), set);
+    const model = { kind: "mesh", vertices: threes(found.vertices), triangles: threes(found.triangles) };
+    const told = text.imported(file.name, fixed(model.triangles.length, 0), await takeBody(bench, model, file.name.replace(/\.stl$/i, "")));
     bench.app.say(told);
     return { isOpen: true, text: told };
   } catch (error) {
