@@ -127,7 +127,7 @@ onOnePage(
       const side = page.locator("[data-box-handle='z min']");
       await side.waitFor();
       await drag(page, await middle(side), [0, -120]);
-      await eventually(async () => assert.match(await spoken(page), /^z from 0\.\d\d, \d+ elements$/));
+      await eventually(async () => assert.match(await spoken(page), /^z from 0\.\d\d, \d+ elements/));
       const [low, high] = await box();
       assert.ok(low[2] > 0.2 && low[2] < 0.9, `${low[2]}`);
       assert.deepEqual([low.slice(0, 2), high], [[0, 0], [1, 1, 1]]);
@@ -144,6 +144,20 @@ onOnePage(
       await page.keyboard.press("Escape");
       await side.waitFor({ state: "hidden" });
       assert.ok(await page.locator("[data-lab-keys]").evaluate((keys) => keys === document.activeElement));
+    },
+
+    async "takes more materials while its section is shown, and names the group that a fault is about"(page) {
+      await solved(page);
+      await openGroup(page, "lab-materials");
+      // Until it is solved anew the section has the materials from before.
+      await page.locator("[data-lab-material-add]").click();
+      await eventually(async () => assert.match(await status(page), /^Solved\s+768\s+triangles\s+\d+ \+ \d+\s+iterations/));
+      await page.locator("[data-lab-legend] .legend-triangle").waitFor();
+      await page.locator("[data-lab-group='0']").click();
+      await page.locator("[data-select=lab-by]").selectOption("positive");
+      await field(page, "lab-positive").fill("q");
+      await field(page, "lab-positive").press("Enter");
+      await eventually(async () => assert.match(await page.locator("[data-lab-fault=expression]").innerText(), /^top: .*`q`/));
     },
 
     async "compares every solver on it, with residuals as a plot, a table and a file"(page) {

@@ -20,6 +20,7 @@ import { mixed } from "../oklab.js";
 import { measure } from "../space/measure.js";
 import { addGroup, ANGLE, byOf, chosenBy, conditionOf, isFormula, kindOf, listOf, MOST_GROUPS, removeGroup, turnedOver, withFlux, withGroup, withRest } from "./edits.js";
 import { formulaField } from "./formula-field.js";
+import { diagnosticText } from "./status.js";
 import { words } from "./words.js";
 
 /** Largest coordinate and flux of the format. */
@@ -84,11 +85,11 @@ export function boundaryGroup(bench, preview) {
       for (const [index, button] of [...list.children].entries()) attribute(button, "aria-pressed", String(shown.group === index));
       add.disabled = document.groups.length >= MOST_GROUPS;
       const diagnostics = known && isCurrent ? known.boundary.diagnostics : [];
-      const faultKey = JSON.stringify([diagnostics, document.model.kind]);
+      const faultKey = JSON.stringify([diagnostics, document.groups.map((group) => group.name), document.model.kind]);
       if (faultKey !== told) {
         told = faultKey;
         const turn = document.model.kind === "mesh" && diagnostics.some(({ code }) => code === "inverted") ? [h("div", { class: "lab-acts" }, h("button", { type: "button", class: "push", "data-lab-turn": "", onclick: () => bench.commit(turnedOver) }, text.turn))] : [];
-        faults.replaceChildren(...diagnostics.map((each, nth) => h("p", { class: each.remark ? "lab-fault remark" : "lab-fault", "data-lab-fault": each.code, "data-nth": String(nth) }, each.message)), ...turn);
+        faults.replaceChildren(...diagnostics.map((each, nth) => h("p", { class: each.remark ? "lab-fault remark" : "lab-fault", "data-lab-fault": each.code, "data-nth": String(nth) }, diagnosticText(each, document.groups))), ...turn);
       }
       details.render();
       rest.render();

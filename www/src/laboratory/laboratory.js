@@ -80,6 +80,8 @@ function openWorkbench(app, { stage, aside }) {
   /** The one that the camera was fitted to. */
   let fittedTo = "";
   let spoken = "";
+  /** What was said of the last edit, and the document that it led to. @type {{text: string, of: import("./document.js").LaboratoryDocument} | null} */
+  let lead = null;
   const status = find("#status");
   const over = new AbortController();
 
@@ -292,7 +294,9 @@ function openWorkbench(app, { stage, aside }) {
     const now = boxNow();
     if (!now || shown.group === null) return;
     const answered = bench.now().isCurrent ? (known?.boundary.sets[shown.group]?.count ?? null) : null;
-    app.say(words.box.said(side, fixed(placeOfSide(now.box, side, now.bounds), decimalsOf(now.bounds)), preview.count(shown.group) ?? answered));
+    const text = words.box.said(side, fixed(placeOfSide(now.box, side, now.bounds), decimalsOf(now.bounds)), preview.count(shown.group) ?? answered);
+    lead = { text, of: laboratoryOf(app) };
+    app.say(text);
   }
 
   const sectionText = () => {
@@ -325,7 +329,9 @@ function openWorkbench(app, { stage, aside }) {
     const text = summaryOf(bench);
     if (store.running || !bench.now().isCurrent || (!known?.solution && known?.boundary.ready && !known.unsolved) || text === spoken) return;
     spoken = text;
-    app.say(text);
+    // What was said of the edit itself is not cut off by what came of it.
+    app.say(lead && lead.of === known?.document ? words.spoken.both(lead.text, text) : text);
+    lead = null;
   }
 
   /** Shows a place that is wrong. @param {readonly number[]} place */

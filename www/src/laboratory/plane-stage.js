@@ -12,6 +12,7 @@ import { listenToGestures } from "../stage/gestures.js";
 import { put } from "../stage/mark.js";
 import { createZoom } from "../stage/zoom.js";
 import { toPlane, toScreen } from "../view.js";
+import { paintedIn } from "./document.js";
 import { elementColors } from "./element-colors.js";
 import { createPlaneView } from "./plane-view.js";
 import { colorsOf, levelLines, LEVELS } from "./pixels.js";
@@ -120,12 +121,13 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
   /** The pixels and lines of the face, made once. @param {Face} found */
   function sheetOf(found) {
     const { document, shown } = bench.now();
-    const of = [found.values, document.materials, shown.isolines];
+    const materials = paintedIn(document, found.of);
+    const of = [found.values, materials, shown.isolines];
     if (!made || of.some((each, k) => each !== made?.of[k])) {
       const { size, values, frame } = found;
-      const lines = shown.isolines === null ? [] : LEVELS.flatMap((level) => levelLines(values[/** @type {number} */ (shown.isolines)], size, level));
+      const lines = shown.isolines === null || !values[shown.isolines] ? [] : LEVELS.flatMap((level) => levelLines(values[/** @type {number} */ (shown.isolines)], size, level));
       const placed = lines.map((at, k) => frame.origin[k % 2] + ((at + 0.5) / size[k % 2]) * frame.sides[k % 2][k % 2]);
-      made = { of, pixels: colorsOf(found, document.materials, true), lines: placed };
+      made = { of, pixels: colorsOf(found, materials, true), lines: placed };
     }
     return made;
   }
@@ -154,7 +156,7 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
         sheet: own && sheet ? { pixels: sheet.pixels, size: own.size, box: [[min[0], min[1]], [max[0], max[1]]] } : null,
         mesh: known.mesh,
         boundary: known.boundary,
-        colorOf: elementColors(known.boundary, document.materials, shown.color === "solved" ? known.solution : null),
+        colorOf: elementColors(known.boundary, paintedIn(document, known), shown.color === "solved" ? known.solution : null),
         isChosen: (each) => shown.group !== null && known.boundary.members[each] === shown.group,
         isWrong: (each) => known.boundary.groups[each] >= known.boundary.conditions.length,
         edges: shown.edges,

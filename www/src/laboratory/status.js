@@ -20,8 +20,19 @@ const SPREAD = 1e-6;
 /** What keeps a problem from being solved. @param {Known} known */
 export const faultsOf = ({ boundary }) => boundary.diagnostics.filter(({ remark }) => !remark);
 
-/** A fault in a few words. @param {ReturnType<typeof faultsOf>[number]} fault */
-const faultText = ({ code, count, message }) => (words.faults[code] && count ? words.faults[code](count) : message);
+/**
+ * What is said of a boundary, after the name of the group that it is about where the message has none.
+ * @param {Known["boundary"]["diagnostics"][number]} diagnostic
+ * @param {readonly {name: string}[]} groups
+ */
+export function diagnosticText({ code, path, message }, groups) {
+  const [, index, rest] = /^(?:groups\[(\d+)\]|(rest)\b)/.exec(path) ?? [];
+  const name = rest ? words.boundary.rest : groups[Number(index ?? -1)]?.name;
+  return name && code !== "conflict" ? words.boundary.about(name, message) : message;
+}
+
+/** A fault in a few words. @param {ReturnType<typeof faultsOf>[number]} fault @param {Known} known */
+const faultText = (fault, { document }) => (words.faults[fault.code] && fault.count ? words.faults[fault.code](fault.count) : diagnosticText(fault, document.groups));
 
 /** The last entry of the largest list of residuals. @param {readonly ArrayLike<number>[]} residuals */
 const lastOf = (residuals) => Math.max(0, ...residuals.map((list) => list[list.length - 1] ?? 0));
@@ -67,7 +78,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
   /** @param {ReturnType<typeof faultsOf>[number]} fault */
   function problemOf(fault) {
     const { code, place } = fault;
-    const text = faultText(fault);
+    const text = faultText(fault, /** @type {Known} */ (known));
     if (!place) return h("span", { class: "item verdict failed" }, text);
     return h("span", { class: "item verdict failed" }, h("button", { type: "button", class: "failed", title: words.status.show, "data-problem": code, onclick: () => show(place) }, text));
   }
@@ -91,7 +102,7 @@ export function summaryOf(bench) {
   return words.spoken.summary([
     (boundary.dimension === 2 ? words.kinds.plane : words.kinds.space)[0],
     `${fixed(mesh.count, 0)} ${words.status.elements(mesh.count, boundary.dimension)}`,
-    ...faults.slice(0, 2).map(faultText),
+    ...faults.slice(0, 2).map((fault) => faultText(fault, known)),
     ...(known.unsolved ? [known.unsolved] : []),
     ...(solution ? [solution.converged ? words.status.verified : words.status.notConverged(Math.max(...solution.iterations)), `${words.status.residual} ${numberText(lastOf(solution.residuals))}`] : []),
     ...(accuracy ? [`${words.status.error} ${numberText(accuracy.error)}`] : []),

@@ -86,6 +86,7 @@ export const words = {
     add: "Add group",
     name: "Name",
     group: (/** @type {number} */ nth) => `group ${nth}`,
+    about: (/** @type {string} */ name, /** @type {string} */ message) => `${name}: ${message}`,
     remove: "Delete group",
     turn: "Turn all triangles over",
     condition: "Condition",
@@ -216,6 +217,7 @@ export const words = {
     turned: (/** @type {string} */ azimuth, /** @type {string} */ elevation) => `Seen from ${azimuth}°, ${elevation}° above`,
     nothing: "Nothing of the problem here",
     reading: (/** @type {string[]} */ parts) => parts.join(", "),
+    both: (/** @type {string} */ first, /** @type {string} */ second) => `${first}. ${second}`,
     summary: (/** @type {string[]} */ parts) => `${parts.join(", ")}.`,
   },
 
