@@ -127,6 +127,22 @@ function openWorkbench(app, { stage, aside }) {
   });
   const picker = createPicker(bench);
   const preview = createPreview(bench);
+  /** What moving the sides of the box of the chosen group does. @type {import("../space/box-mark.js").BoxMoves} */
+  const box = {
+    move(side, place, run) {
+      view?.readMiddle(false);
+      moveSide((box, bounds) => withSide(box, side, place, bounds), run);
+    },
+    end(side) {
+      bench.endRun();
+      sayBox(side);
+    },
+    undo: bench.takeBack,
+    step(side, steps) {
+      moveSide((box, bounds) => stepped(box, side, steps, bounds));
+      sayBox(side);
+    },
+  };
   const view = whereDrawn(() =>
     createSpaceView(app, {
       plane: {
@@ -141,21 +157,7 @@ function openWorkbench(app, { stage, aside }) {
           app.say(sectionText());
         },
       },
-      box: {
-        move(side, place, run) {
-          view?.readMiddle(false);
-          moveSide((box, bounds) => withSide(box, side, place, bounds), run);
-        },
-        end(side) {
-          bench.endRun();
-          sayBox(side);
-        },
-        undo: bench.takeBack,
-        step(side, steps) {
-          moveSide((box, bounds) => stepped(box, side, steps, bounds));
-          sayBox(side);
-        },
-      },
+      box,
       read: (place, at, isCross) => reader.read(shown.picking ? null : place, at, ui.value.size, isCross),
       speak: () => reader.speak(),
       tap: (place) => picker.tap(place),
@@ -168,7 +170,7 @@ function openWorkbench(app, { stage, aside }) {
     }),
   );
   const painting = createPainting(bench, view, () => face.latest, preview);
-  const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, signal: over.signal });
+  const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, box, preview, signal: over.signal });
   offer({
     get size() {
       return ui.value.size;
@@ -266,11 +268,11 @@ function openWorkbench(app, { stage, aside }) {
     }, run);
   }
 
-  /** The box by which the chosen group picks elements in space, and the body. */
+  /** The box by which the chosen group picks elements, and the body. */
   function boxNow() {
     const { document } = bench.now();
     const box = shown.group === null ? undefined : document.groups[shown.group]?.where.box;
-    return box && known?.mesh.soup ? { box, bounds: known.mesh.bounds } : null;
+    return box && known && box[0].length === known.boundary.dimension ? { box, bounds: known.mesh.bounds } : null;
   }
 
   /**
@@ -415,16 +417,16 @@ function openWorkbench(app, { stage, aside }) {
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summaryOf(bench)));
       const way = extent();
-      const box = boxNow();
-      if (box) {
-        view.describeBox((side) => {
-          const now = placeOfSide(box.box, side, box.bounds);
-          return { text: words.box.value(side, fixed(now, decimalsOf(box.bounds))), now, extent: wayOf(box.box, side, box.bounds) };
-        });
-      }
       if (document.section && way) view.mark.describe(sectionText(), placeOf(document.section), way);
     }
     if (!isSpace) plane.render();
+    const boxed = boxNow();
+    if (boxed) {
+      (isSpace ? view : plane)?.describeBox((side) => {
+        const now = placeOfSide(boxed.box, side, boxed.bounds);
+        return { text: words.box.value(side, fixed(now, decimalsOf(boxed.bounds))), now, extent: wayOf(boxed.box, side, boxed.bounds) };
+      });
+    }
     legend.render();
     groups.render();
     solversAt.hidden = shown.look !== "solvers";
@@ -449,6 +451,7 @@ function openWorkbench(app, { stage, aside }) {
     } else if (shown.look === "solvers") return;
     else if (letter === "p" && shown.group !== null) bench.change({ picking: shown.picking ? null : "direction" });
     else if (event.key === "Escape" && shown.picking) bench.change({ picking: null });
+    else if (event.key === "Escape" && shown.group !== null && known?.mesh.soup === null) leaveGroup(event, plane.focus);
     else if (known?.mesh.soup === null) {
       const command = commandOf(event);
       if (command?.topic !== "view") return;
@@ -457,6 +460,12 @@ function openWorkbench(app, { stage, aside }) {
       if (!keyInSpace(event, isOnPicture, view)) return;
     } else return;
     event.preventDefault();
+  }
+
+  /** No group is chosen any more, and with it go the handles of its box. @param {KeyboardEvent} event @param {() => void} focus of the picture */
+  function leaveGroup(event, focus) {
+    if (event.target instanceof Element && event.target.closest(".box-handles")) focus();
+    bench.change({ group: null });
   }
 
   /**
@@ -472,11 +481,8 @@ function openWorkbench(app, { stage, aside }) {
     else if (event.key === "Enter" && isOnPicture) {
       seen.readMiddle(true);
       if (shown.picking) picker.tap(seen.middle);
-    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) {
-      // The handles of its box go with the group.
-      if (event.target instanceof Element && event.target.closest("[data-box-handle]")) keyboard.focus({ preventScroll: true });
-      bench.change({ group: null });
-    } else return false;
+    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) leaveGroup(event, () => keyboard.focus({ preventScroll: true }));
+    else return false;
     return true;
   }
 

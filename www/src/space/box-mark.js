@@ -24,7 +24,7 @@ import { cornersOf, middleOf, subtract } from "./vector.js";
 /** Opacity of the sides away from the eye: nothing lies over the colours of the body. */
 const FILL = 0.07;
 /** CSS pixels of the stem from a side to its handle, so that those of a thin box stand apart, by pointer and by touch. */
-const STEM = { fine: 18, coarse: 26 };
+export const STEM = { fine: 18, coarse: 26 };
 /** Corners that are joined by an edge, by their places in `cornersOf`. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7];
 
@@ -32,7 +32,29 @@ const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6,
 export const SIDES = /** @type {const} */ ([0, 1, 2]).flatMap((axis) => /** @type {const} */ (["min", "max"]).map((end) => ({ axis, end })));
 
 /** 1 where a side faces greater coordinates, else -1. @param {Side} side */
-const signOf = ({ end }) => (end === "max" ? 1 : -1);
+export const signOf = ({ end }) => (end === "max" ? 1 : -1);
+
+/**
+ * The handle of a side, which slides outwards.
+ * @param {Side} side
+ * @param {(side: Side) => string} label
+ * @param {BoxMoves} moves
+ * @param {() => Bounds | null} read the box as it stands
+ * @param {string} [name] of its attribute
+ */
+export function sideHandle(side, label, moves, read, name = "data-box-handle") {
+  const sign = signOf(side);
+  return new SlideHandle(label(side), { [name]: `${"xyz"[side.axis]} ${side.end}` }, {
+    start() {
+      const box = read();
+      return box && sign * box[side.end][side.axis];
+    },
+    move: (place, run) => moves.move(side, sign * place, run),
+    end: (run) => moves.end(side, run),
+    undo: moves.undo,
+    step: (steps) => moves.step(side, steps),
+  });
+}
 
 export class BoxMark {
   #fill = new Mesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: BackSide }));
@@ -47,17 +69,7 @@ export class BoxMark {
   constructor(label, moves) {
     this.objects = [this.#fill, this.#outline.object];
     this.#fill.renderOrder = 31;
-    this.#slides = SIDES.map((side) => {
-      // Outwards is along the handle.
-      const sign = signOf(side);
-      return new SlideHandle(label(side), { "data-box-handle": `${"xyz"[side.axis]} ${side.end}` }, {
-        start: () => this.#box && sign * this.#box[side.end][side.axis],
-        move: (place, run) => moves.move(side, sign * place, run),
-        end: (run) => moves.end(side, run),
-        undo: moves.undo,
-        step: (steps) => moves.step(side, steps),
-      });
-    });
+    this.#slides = SIDES.map((side) => sideHandle(side, label, moves, () => this.#box));
     this.overlay = svg("svg", { class: "plane-marks", "aria-hidden": "true" }, ...this.#stems);
     this.handles = h("div", { class: "gizmo-handles box-handles" }, ...this.#slides.map(({ element }) => element));
     this.set(null);

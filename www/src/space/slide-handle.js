@@ -66,7 +66,12 @@ export class SlideHandle {
     return { at, by, length };
   }
 
-  /** @param {Point} at CSS pixels @param {Frame} frame @returns {Point} where it stands, clear of the edges of the picture */
+  /** How the direction is seen where nothing is seen in perspective. @param {Point} direction pixels of the screen for a unit along it */
+  set direction(direction) {
+    this.#direction = direction;
+  }
+
+  /** @param {Point} at CSS pixels @param {Pick<Frame, "size">} frame @returns {Point} where it stands, clear of the edges of the picture */
   put(at, { size: { width, height } }) {
     const place = /** @type {Point} */ ([Math.min(width - EDGE, Math.max(EDGE, at[0])), Math.min(height - EDGE, Math.max(EDGE, at[1]))]);
     this.element.style.transform = `translate(${place[0].toFixed(1)}px, ${place[1].toFixed(1)}px)`;
