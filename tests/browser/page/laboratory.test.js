@@ -203,9 +203,11 @@ onOnePage(
       await eventually(async () => assert.match(await spoken(page), /^x \S+, y 0\.\d\d, .*%/));
       assert.deepEqual(await audit(page, [".lab-stage", ".lab-aside"]), []);
       await page.keyboard.press("Escape");
-      await page.locator("[data-lab-group='0']").click();
+      await page.locator("[data-lab-group='1'][aria-pressed=false]").click();
+      await page.locator("[data-lab-group='1'][aria-pressed=true]").waitFor();
       await page.locator("[data-select=lab-by]").selectOption("box");
       const side = page.locator("[data-flat-handle='y min']");
+      await side.waitFor();
       await side.focus();
       await page.keyboard.press("PageUp");
       await eventually(async () => assert.match(await spoken(page), /^y from \S?0\.\d\d, \d+ elements/));
