@@ -7,10 +7,11 @@ import { load } from "directrix";
 import { root } from "../../scripts/lib/paths.mjs";
 import { drawnBox, reachOf, stepped, wayOf, withSide, written } from "../../www/src/laboratory/box-edit.js";
 import { withGroup, withRest } from "../../www/src/laboratory/edits.js";
-import { firstProblem, sectionAlong } from "../../www/src/laboratory/first-problem.js";
+import { firstProblem } from "../../www/src/laboratory/first-problem.js";
 import { boundsOf } from "../../www/src/laboratory/mesh.js";
 import { modelOf, MODELS } from "../../www/src/laboratory/models.js";
 import { withElements } from "../../www/src/laboratory/preview.js";
+import { sectionAlong } from "../../www/src/laboratory/section-along.js";
 import { acrossOf } from "../../www/src/laboratory/section-state.js";
 
 /** @import { LaboratoryDocument, Model } from "../../www/src/laboratory/document.js" */

@@ -24,10 +24,9 @@ import { moveOf } from "../space/keys.js";
 import { createStand, followSize, isElsewhere, whereDrawn } from "../space/stand.js";
 import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
-import { decimalsOf, placeOfSide, stepped, wayOf, withSide } from "./box-edit.js";
+import { createBoxMoves } from "./box-moves.js";
 import { boundaryGroup } from "./boundary-group.js";
 import { isSameSolution, laboratoryOf } from "./document.js";
-import { withGroup } from "./edits.js";
 import { createFace } from "./face.js";
 import { displayGroup, modelGroup, sectionGroup, solverGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
@@ -127,22 +126,13 @@ function openWorkbench(app, { stage, aside }) {
   });
   const picker = createPicker(bench);
   const preview = createPreview(bench);
-  /** What moving the sides of the box of the chosen group does. @type {import("../space/box-mark.js").BoxMoves} */
-  const box = {
-    move(side, place, run) {
-      view?.readMiddle(false);
-      moveSide((box, bounds) => withSide(box, side, place, bounds), run);
+  const box = createBoxMoves(bench, preview, {
+    begun: () => view?.readMiddle(false),
+    told(text) {
+      lead = { text, of: laboratoryOf(app) };
+      app.say(text);
     },
-    end(side) {
-      bench.endRun();
-      sayBox(side);
-    },
-    undo: bench.takeBack,
-    step(side, steps) {
-      moveSide((box, bounds) => stepped(box, side, steps, bounds));
-      sayBox(side);
-    },
-  };
+  });
   const view = whereDrawn(() =>
     createSpaceView(app, {
       plane: {
@@ -157,7 +147,7 @@ function openWorkbench(app, { stage, aside }) {
           app.say(sectionText());
         },
       },
-      box,
+      box: box.moves,
       read: (place, at, isCross) => reader.read(shown.picking ? null : place, at, ui.value.size, isCross),
       speak: () => reader.speak(),
       tap: (place) => picker.tap(place),
@@ -170,7 +160,7 @@ function openWorkbench(app, { stage, aside }) {
     }),
   );
   const painting = createPainting(bench, view, () => face.latest, preview);
-  const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, box, preview, signal: over.signal });
+  const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, box: box.moves, preview, signal: over.signal });
   offer({
     get size() {
       return ui.value.size;
@@ -266,39 +256,6 @@ function openWorkbench(app, { stage, aside }) {
       const place = to ?? placeOf(plane) + (isAlong ? by(document) : -by(document));
       return { ...document, section: placed(plane, place, way) };
     }, run);
-  }
-
-  /** The box by which the chosen group picks elements, and the body. */
-  function boxNow() {
-    const { document } = bench.now();
-    const box = shown.group === null ? undefined : document.groups[shown.group]?.where.box;
-    return box && known && box[0].length === known.boundary.dimension ? { box, bounds: known.mesh.bounds } : null;
-  }
-
-  /**
-   * Moves a side of that box.
-   * @param {(box: number[][], bounds: import("../space/vector.js").Bounds) => number[][]} change
-   * @param {string} [run]
-   */
-  function moveSide(change, run) {
-    const now = boxNow();
-    const at = shown.group;
-    if (!now || at === null) return;
-    const { bounds } = now;
-    bench.commit((document) => {
-      const { where } = document.groups[at];
-      return where.box ? withGroup(document, at, { where: { ...where, box: change(where.box, bounds) } }) : document;
-    }, run);
-  }
-
-  /** Says where a side of that box stands, and what the group has of the boundary. @param {import("../space/box-mark.js").Side} side */
-  function sayBox(side) {
-    const now = boxNow();
-    if (!now || shown.group === null) return;
-    const answered = bench.now().isCurrent ? (known?.boundary.sets[shown.group]?.count ?? null) : null;
-    const text = words.box.said(side, fixed(placeOfSide(now.box, side, now.bounds), decimalsOf(now.bounds)), preview.count(shown.group) ?? answered);
-    lead = { text, of: laboratoryOf(app) };
-    app.say(text);
   }
 
   const sectionText = () => {
@@ -420,13 +377,8 @@ function openWorkbench(app, { stage, aside }) {
       if (document.section && way) view.mark.describe(sectionText(), placeOf(document.section), way);
     }
     if (!isSpace) plane.render();
-    const boxed = boxNow();
-    if (boxed) {
-      (isSpace ? view : plane)?.describeBox((side) => {
-        const now = placeOfSide(boxed.box, side, boxed.bounds);
-        return { text: words.box.value(side, fixed(now, decimalsOf(boxed.bounds))), now, extent: wayOf(boxed.box, side, boxed.bounds) };
-      });
-    }
+    const describe = box.describe();
+    if (describe) (isSpace ? view : plane)?.describeBox(describe);
     legend.render();
     groups.render();
     solversAt.hidden = shown.look !== "solvers";
