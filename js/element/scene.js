@@ -369,7 +369,7 @@ function parsed(text) {
 }
 
 /** @param {HTMLCanvasElement} canvas @param {Picture} picture */
-export function show(canvas, { width, height, data }) {
+function show(canvas, { width, height, data }) {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
   canvas.getContext("2d")?.putImageData(new ImageData(/** @type {Uint8ClampedArray<ArrayBuffer>} */ (data), width, height), 0, 0);

@@ -26,7 +26,7 @@ import { pixelAt } from "./reading.js";
 import { words } from "./words.js";
 
 /** The rules in the order in which they stand. */
-export const RULES = /** @type {const} */ (["repaired", "depth", "printed"]);
+const RULES = /** @type {const} */ (["repaired", "depth", "printed"]);
 /** Share of a picture that stays free at its edges. */
 const MARGIN = 0.03;
 /** Width of a picture over its height at most, and at least one over it. */

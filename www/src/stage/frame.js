@@ -249,7 +249,7 @@ const centerOf = ({ left, right, low, high }) => [(left + right) / 2, (low + hig
  * @param {boolean} centred the other side moves as far
  * @returns {[number, number]}
  */
-export function factorsOf(side, box, by, proportion, centred) {
+function factorsOf(side, box, by, proportion, centred) {
   const [sx, sy] = SIDES[side];
   const [width, height] = [box.right - box.left, box.high - box.low];
   const twice = centred ? 2 : 1;

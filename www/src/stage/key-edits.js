@@ -176,7 +176,7 @@ export function dragKey(app, down, key, fractionAt) {
  * @param {CurvesDocument} document
  * @param {number[]} mix
  */
-export const spokenMix = ({ materials }, mix) =>
+const spokenMix = ({ materials }, mix) =>
   mix.flatMap((part, i) => (part > 0 ? [strings.mixing.share(materials[i]?.name ?? "", percent(part))] : [])).join(", ");
 
 /**

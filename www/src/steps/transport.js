@@ -17,7 +17,7 @@ import { phaseAt, values } from "./film.js";
 import { words } from "./words.js";
 
 /** Lines a second at each speed are twice these. */
-export const SPEEDS = [0.5, 1, 2, 4, 8];
+const SPEEDS = [0.5, 1, 2, 4, 8];
 /** Height of the highest bar and least height of one, CSS pixels. */
 const HIGHEST = 20;
 const LOWEST = 2;

@@ -37,7 +37,6 @@ export const words = {
     candidates: "Candidates",
     accepted: "Accepted lines",
     optimum: "Compare with the exact optimum",
-    short: "Optimum",
   },
   heuristic: "heuristic",
 

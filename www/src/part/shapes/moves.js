@@ -85,7 +85,7 @@ export function restedAngle(bench, degrees, invert) {
 }
 
 /** The angle from one place to another, degrees. @param {Point} from @param {Point} to */
-export const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
+const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
 
 /** Whether the outline of a body takes its holes and references along, for as long as the page is open. */
 export const along = { isOn: false };
