@@ -128,7 +128,6 @@ export const words = {
     removed: "removed",
     moved: "moved",
     from: "from",
-    guess: "your line",
   },
 
   status: {
