@@ -24,17 +24,13 @@ import { createStepGroups } from "./groups.js";
 import { createKeyboard } from "./keys.js";
 import { createLegend } from "./legend.js";
 import { createPicture } from "./picture.js";
+import { createPlayer } from "./player.js";
 import { answered, begun, isHidden } from "./prediction.js";
 import { spokenAnswer, spokenScene, spokenSets } from "./spoken.js";
 import { renderStatus } from "./status.js";
 import { createTransport } from "./transport.js";
-import { nearestVertex } from "./vertices.js";
+import { nearestVertex, REACH } from "./vertices.js";
 import { words } from "./words.js";
-
-/** Milliseconds of a step at the speed 1. */
-const BEAT = 500;
-/** Distance of a press from a vertex, by pointer and by touch, CSS pixels. */
-const REACH = { mouse: 16, touch: 26 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["growth", "step", "candidates"], tab: "step" };
@@ -56,16 +52,12 @@ export function createSteps(app, { stage, aside, status }) {
   let failure = "";
   let ms = 0;
   let at = ui.value.step;
-  let playing = false;
-  let speed = 1;
   /** The vertex that the person chose, in place of the one of the step. @type {Vertex | null} */
   let chosen = null;
   /** @type {Vertex | null} */
   let hovered = null;
   /** @type {Prediction | null} */
   let prediction = null;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
   /** @type {Map<string, VertexSets>} */
   const sets = new Map();
   /** What is said once the sets are there. @type {string | null} */
@@ -96,14 +88,24 @@ export function createSteps(app, { stage, aside, status }) {
       return true;
     },
   });
+  const player = createPlayer(
+    () => {
+      goTo(at + 1);
+      return at < end();
+    },
+    () => {
+      say();
+      render();
+    },
+  );
   const transport = createTransport({
     goTo: (next) => {
-      pause();
+      player.pause();
       goTo(next);
     },
     goBy,
     toggle,
-    setSpeed: (value) => (speed = value),
+    setSpeed: (value) => (player.speed = value),
     togglePrediction,
   });
   const foot = h("div", { class: "steps-foot" }, h("div", { class: "steps-head" }, legend.element, transport.predict), transport.element);
@@ -156,7 +158,7 @@ export function createSteps(app, { stage, aside, status }) {
   function begin(document) {
     shown = document;
     sets.clear();
-    if (!steps || steps.growth.length === 0) pause();
+    if (!steps || steps.growth.length === 0) player.pause();
     prediction = prediction && steps ? begun(Math.min(at, steps.growth.length)) : null;
     const counts = steps?.samples.map(({ points }) => points.length) ?? [];
     if (chosen && chosen.vertex >= (counts[chosen.curve] ?? 0)) chosen = null;
@@ -216,49 +218,30 @@ export function createSteps(app, { stage, aside, status }) {
     ui.set({ step: at, note: null });
     if (prediction) prediction = { ...prediction, aim: null, told: prediction.told?.at === at ? prediction.told : null };
     hovered = null;
-    if (!playing) say();
+    if (!player.playing) say();
     render();
   }
 
   /** @param {number} by */
   function goBy(by) {
-    pause();
+    player.pause();
     goTo(at + by);
   }
 
   function toggle() {
     if (!steps || steps.growth.length === 0) return;
-    if (playing) {
-      pause();
+    if (player.playing) {
+      player.pause();
       say();
       render();
     } else if (still.matches || prediction) {
       goTo(at === end() ? 0 : at + 1);
     } else {
       if (at === end()) goTo(0);
-      playing = true;
       app.say(words.playing);
-      beat();
+      player.play();
       render();
     }
-  }
-
-  function beat() {
-    timer = setTimeout(() => {
-      if (!playing) return;
-      goTo(at + 1);
-      if (at < end()) beat();
-      else {
-        pause();
-        say();
-        render();
-      }
-    }, BEAT / speed);
-  }
-
-  function pause() {
-    playing = false;
-    clearTimeout(timer);
   }
 
   function follow() {
@@ -276,7 +259,7 @@ export function createSteps(app, { stage, aside, status }) {
   }
 
   function togglePrediction() {
-    pause();
+    player.pause();
     if (!steps) return;
     if (prediction) {
       prediction = null;
@@ -439,7 +422,7 @@ export function createSteps(app, { stage, aside, status }) {
       picture.draw({ view, size, document: shown, steps: state.steps, scene: state.scene, hidden: state.hidden, focus: state.focus ?? ownEnd, sets: state.sets, aim, guess });
       const text = spoken();
       attribute(picture.element, "aria-label", words.picture(document.title, text));
-      transport.render({ steps: state.steps, at, total: end(), text, playing, still: still.matches, predicting: prediction !== null });
+      transport.render({ steps: state.steps, at, total: end(), text, playing: player.playing, still: still.matches, predicting: prediction !== null });
       legend.render(state);
     }
     stage.dataset.step = String(at);
@@ -462,7 +445,7 @@ export function createSteps(app, { stage, aside, status }) {
   return {
     render,
     close() {
-      pause();
+      player.pause();
       keyboard.close();
       lane.cancel();
       setsLane.cancel();

@@ -7,6 +7,9 @@
  */
 import { toScreen } from "../view.js";
 
+/** Distance of a press from the vertex that it means, by pointer and by touch, CSS pixels. */
+export const REACH = { mouse: 16, touch: 26 };
+
 /**
  * @param {Steps} steps
  * @param {View} view
