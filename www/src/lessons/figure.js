@@ -25,6 +25,7 @@
  * @property {() => void} [focus] the keyboard chooses a vertex
  * @property {() => void} close
  */
+import "../../styles/lesson-figure.css";
 import { h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";

@@ -11,7 +11,6 @@
  * @import { FigureView, Host } from "./figure.js"
  * @import { Parts } from "./parts.js"
  */
-import "../../styles/steps.css";
 import { advice } from "../explain.js";
 import { attribute, h } from "../dom.js";
 import { outline } from "../spline.js";

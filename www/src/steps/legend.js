@@ -3,6 +3,7 @@
  *
  * @import { Now } from "./groups.js"
  */
+import "../../styles/step-controls.css";
 import { h } from "../dom.js";
 import { vertexName } from "./film.js";
 import { words } from "./words.js";

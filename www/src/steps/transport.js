@@ -10,6 +10,7 @@
  * @property {(speed: number) => void} setSpeed
  * @property {() => void} togglePrediction
  */
+import "../../styles/step-controls.css";
 import { slider } from "../controls/slider.js";
 import { attribute, h, svg, write } from "../dom.js";
 import { icon } from "../icons.js";
