@@ -4,6 +4,7 @@
  * @import { Material } from "../types.js"
  * @import { Editing } from "./run.js"
  */
+import { ARROWS, stride } from "./arrows.js";
 import { attribute, h, write } from "../dom.js";
 import { percent } from "../format.js";
 import { fromTriangle, inTriangle, withFraction, written } from "../state/mix.js";
@@ -154,7 +155,7 @@ function createPad(editing, current) {
     area.addEventListener("pointercancel", up, { signal: over.signal });
   });
   area.addEventListener("keydown", (event) => {
-    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const arrow = ARROWS[event.key];
     if (event.key === "Escape" && editing.cancel) {
       editing.cancel(run);
       run = newRun("triangle");
@@ -162,7 +163,7 @@ function createPad(editing, current) {
     }
     if (!arrow || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    const by = STEP * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    const by = STEP * stride(event);
     const [x, y] = place();
     go([x + arrow[0] * by, y + arrow[1] * by * TALL]);
   });

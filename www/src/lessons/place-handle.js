@@ -4,6 +4,7 @@
  * @import { View } from "../../../js/directrix.js"
  * @import { Point } from "../types.js"
  */
+import { stride } from "../controls/arrows.js";
 import { toPlane, toScreen } from "../../../js/element/plane.js";
 import { attribute, h } from "../dom.js";
 import { fixed } from "../format.js";
@@ -60,7 +61,7 @@ export function createPlaceHandle(surface, { place: first, digits, ground, chang
     event.preventDefault();
     event.stopPropagation();
     const [x, y] = toScreen(here.view, surface.size(), place);
-    const by = NUDGE * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    const by = NUDGE * stride(event);
     put([x + by * arrow[0], y + by * arrow[1]], false);
     say(words.placeMoved(...texts(place)));
   });

@@ -21,9 +21,6 @@ const TURNS = 15;
 const TURN = 1;
 const DECIMALS = 1;
 
-/** @type {{[key: string]: Point}} */
-export const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
 /** The step of the grid that counts now, or null. @param {Bench} bench @param {boolean} invert whether Control is held */
 function stepNow(bench, invert) {
   const step = bench.step();
