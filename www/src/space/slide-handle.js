@@ -12,6 +12,7 @@
  * @property {(run: string) => void} undo
  * @property {(steps: number) => void} step by keys: 1 is a step, 10 a long one, 0.1 a short one
  */
+import { stride } from "../controls/arrows.js";
 import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
 import { attribute, h } from "../dom.js";
@@ -42,7 +43,7 @@ export class SlideHandle {
       if (by === undefined || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       event.stopPropagation();
-      slides.step(by * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
+      slides.step(by * stride(event));
     });
   }
 
