@@ -18,13 +18,14 @@ export interface CompositionKey {
   mix: number[];
 }
 
-/** A planar B-spline. */
+/** A B-spline in the plane or, in the module `full`, in space. */
 export interface Curve {
   name?: string;
   /** 2 to 32. */
   degree: number;
   form: "periodic" | "clamped" | "open";
-  points: Point[];
+  /** All of two coordinates, or all of three. */
+  points: Point[] | SpacePoint[];
   knots?: number[];
   height?: number;
   composition?: CompositionKey[];

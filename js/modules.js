@@ -2,7 +2,7 @@
  * The two modules of the package by name, each with the code that binds it: `figure` reads curves documents, `full` is
  * to read part documents as well.
  */
-export const MODULES = {
+const MODULES = {
   figure: { glue: () => import("./pkg/directrix.js"), file: "directrix_bg.wasm" },
   full: { glue: () => import("./pkg/directrix_full.js"), file: "directrix_full_bg.wasm" },
 };

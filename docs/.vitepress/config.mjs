@@ -12,7 +12,7 @@ import { sidebar } from "./sidebar.mjs";
 export default defineConfig({
   lang: "en",
   title: "Directrix",
-  description: "Matching of curves, morphs and material blends: the guide, the formats and the figures behind them.",
+  description: "Bodies whose material varies from point to point, in the browser: the guide, the formats and the figures behind them.",
   outDir: "../dist-docs",
   cacheDir: "../.build/vitepress",
   markdown: { theme: code, config: (md) => md.use(leadOutside).use(titles).use(emptyHeads).use(plainCode) },

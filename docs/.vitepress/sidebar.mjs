@@ -5,9 +5,10 @@ const docs = new URL("../", import.meta.url);
 
 /** Pages by the topic they belong to, as far as they are there; one that is not listed stands at the end of the last topic. */
 const topics = [
-  { text: "Guide", pages: ["index", "what-it-is", "first-steps", "five-pictures", "hyperpatches", "parts", "laboratory"] },
-  { text: "Use", pages: ["page", "embedding", "api", "format", "lessons"] },
-  { text: "Background", pages: ["architecture", "reference-curves", "benchmarks"] },
+  { text: "Guide", pages: ["index", "what-it-is", "first-steps", "five-pictures"] },
+  { text: "The application", pages: ["page", "curves", "solid", "parts", "hyperpatches", "laboratory", "lessons", "export"] },
+  { text: "For your own pages and scripts", pages: ["embedding", "api", "format"] },
+  { text: "Background", pages: ["architecture", "decisions", "reference-curves", "benchmarks"] },
 ];
 
 /** The first heading of a page. @param {string} name */

@@ -8,7 +8,11 @@
  * @import { ProblemScene } from "./problem/problem-scene.js"
  */
 import { DirectrixError } from "../errors.js";
+import { canRun } from "./able.js";
+import { choiceOf } from "./choices.js";
 import { attribute, write } from "./dom.js";
+import { EditorLink } from "./editor-link.js";
+import { failureOf } from "./failure.js";
 import { createFrame } from "./frame.js";
 import { Growth } from "./growth.js";
 import { Handles } from "./handles.js";
@@ -23,29 +27,10 @@ import { readSource } from "./source.js";
 import { sheetOf } from "./style.js";
 import { themeAround, watchTheme } from "./theme.js";
 import { words } from "./words.js";
+import { Working } from "./working.js";
 
-/** Milliseconds after which work is shown as running, and told as `progress`. */
-const SLOW = 200;
-/** Milliseconds after a change until the link has it as well. */
-const SETTLED = 300;
 /** The largest step that a link may name. */
 const LAST_STEP = 1_000_000;
-/** Text shown at most of a message. */
-const LONGEST = 400;
-
-/** The values of attributes that have a fixed choice, the default first. */
-const CHOICES = {
-  controls: ["full", "minimal", "none"],
-  theme: ["auto", "light", "dark"],
-  reveal: ["auto", "interaction"],
-  view: ["figure", "steps", "compare", "solid"],
-};
-
-/** A module with one instruction of SIMD. */
-const SIMD = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
-]);
-
 /** A module may be imported where there is no page, as generators of sites do; an element is not made there. */
 const Base = globalThis.HTMLElement ?? /** @type {typeof HTMLElement} */ (/** @type {unknown} */ (class {}));
 
@@ -71,6 +56,8 @@ export class DirectrixFigure extends Base {
   #progress = null;
   #morph;
   #paper;
+  #working;
+  #link;
   /** The document set by the property. @type {DocumentInput | null} */
   #given = null;
   #isStale = true;
@@ -83,11 +70,6 @@ export class DirectrixFigure extends Base {
   #fetching = null;
   /** Ends what the figure listens to while it is on a page. @type {(() => void)[]} */
   #endings = [];
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #linking;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #slow;
-  #isSlow = false;
 
   constructor() {
     super();
@@ -95,14 +77,15 @@ export class DirectrixFigure extends Base {
       reveal: () => this.#reveal(),
       layer: (name, isOn) => this.#setLayer(name, isOn),
     });
-    const { canvas, picture, bar, poster, paper } = this.#frame;
+    const { canvas, picture, bar, poster, paper, working, open } = this.#frame;
+    this.#working = new Working(working, (progress) => this.dispatchEvent(new CustomEvent("progress", { detail: { progress } })));
     /** @type {import("./scene.js").Host} */
     const shown = {
       canvas,
       urgency: () => (this.#isSeen ? 0 : 1),
       onsolved: (kind) => this.#solved(kind),
       onpaint: () => this.#renderOverlay(),
-      onprogress: (progress) => this.#progressed(progress),
+      onprogress: (progress) => this.#working.set(progress),
       onproblem: (kind, error) => this.#failed(kind, error),
     };
     this.#host = shown;
@@ -124,6 +107,11 @@ export class DirectrixFigure extends Base {
       say: (text) => this.#say(text),
     });
     this.#paper = new Paper(() => this.#scene, paper);
+    this.#link = new EditorLink(open, () => {
+      const { state } = this.#scene;
+      const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#other ? "figure" : this.#view);
+      return state && { document: state, view, step: this.#linkedStep, editor: this.getAttribute("editor") ?? DirectrixFigure.editor };
+    });
     picture.append(this.#growth.element, this.#handles.element);
     bar.prepend(...this.#morph.elements);
     poster.addEventListener("error", () => (poster.hidden = true));
@@ -190,8 +178,8 @@ export class DirectrixFigure extends Base {
     this.#handles.reset();
     this.#morph.stop();
     this.#paper.cancel();
-    clearTimeout(this.#linking);
-    clearTimeout(this.#slow);
+    this.#link.cancel();
+    this.#working.end();
     [this.#isNear, this.#isSeen] = [false, false];
     release();
   }
@@ -214,7 +202,7 @@ export class DirectrixFigure extends Base {
 
   /** A step without a view is one of the growth, as in a link. */
   get #view() {
-    return this.hasAttribute("step") && !this.hasAttribute("view") ? "steps" : this.#choice("view");
+    return this.hasAttribute("step") && !this.hasAttribute("view") ? "steps" : choiceOf(this, "view");
   }
 
   /** The number of the steps. */
@@ -241,18 +229,12 @@ export class DirectrixFigure extends Base {
   }
 
   get #hasHandles() {
-    return this.#choice("controls") === "full" && !this.#other && !isInSpace(this.#scene.document);
+    return choiceOf(this, "controls") === "full" && !this.#other && !isInSpace(this.#scene.document);
   }
 
   /** Whether anybody can see it. */
   get #isShownNow() {
     return this.#isSeen && document.visibilityState === "visible";
-  }
-
-  /** @param {keyof typeof CHOICES} name */
-  #choice(name) {
-    const value = this.getAttribute(name) ?? "";
-    return CHOICES[name].includes(value) ? value : CHOICES[name][0];
   }
 
   /** A property that was set before the element was defined hides the accessor. @param {string} name */
@@ -299,19 +281,19 @@ export class DirectrixFigure extends Base {
 
   /** Loads what is wanted, once somebody is about to see it. */
   #load() {
-    const isAsked = this.#isRevealed || this.#choice("reveal") === "auto";
+    const isAsked = this.#isRevealed || choiceOf(this, "reveal") === "auto";
     const { src, preset } = this.#source;
     const isWanted = this.#given !== null || src !== null || preset !== null;
     if (!this.#isStale || !isWanted || !this.isConnected || !this.#isNear || !isAsked) return;
     this.#isStale = false;
-    if (typeof WebAssembly !== "object" || !WebAssembly.validate(SIMD)) {
+    if (!canRun()) {
       this.#failed("kernel", new DirectrixError("no-wasm", "", words.errors.noWasm));
       return;
     }
     this.#become("loading");
     const fetching = new AbortController();
     this.#fetching = fetching;
-    this.#begin();
+    this.#working.begin();
     // The kernel begins with the smaller module, which knows curves alone.
     if ((this.#given === null ? presetKind(preset) : kindOf(this.#given)) === "curves") warm();
     void this.#open(fetching.signal);
@@ -396,7 +378,7 @@ export class DirectrixFigure extends Base {
   #edit(document, isMoving) {
     this.#scene.edit(document, isMoving);
     this.#renderOverlay();
-    this.#begin();
+    this.#working.begin();
   }
 
   /** @param {number} s */
@@ -431,7 +413,7 @@ export class DirectrixFigure extends Base {
 
   /** @param {"load" | "edit"} kind */
   #solved(kind) {
-    this.#finish();
+    this.#working.end();
     this.#frame.problem.hidden = true;
     if (kind === "load") {
       this.#handles.reset();
@@ -452,40 +434,13 @@ export class DirectrixFigure extends Base {
    * @param {unknown} error
    */
   #failed(kind, error) {
-    this.#finish();
-    const code = error instanceof DirectrixError ? error.code : "failed";
-    const path = error instanceof DirectrixError ? error.path : "";
-    const message = error instanceof Error ? error.message : String(error);
-    const where = words.errors.at(path, message);
-    const text = code === "no-wasm" ? message : kind === "kernel" ? words.errors.blocked(where) : words.errors[kind](where);
+    this.#working.end();
+    const { text, detail } = failureOf(kind, error);
     this.#frame.problem.hidden = false;
-    write(this.#frame.problem, text.length > LONGEST ? `${text.slice(0, LONGEST)}…` : text);
+    write(this.#frame.problem, text);
     this.#become(this.#scene.document ? "shown" : "failed");
     this.#render();
-    this.dispatchEvent(new CustomEvent("error", { detail: { code, path, message } }));
-  }
-
-  /** @param {number} progress */
-  #progressed(progress) {
-    if (progress >= 1) this.#finish();
-    this.#frame.working.style.transform = `scaleX(${progress})`;
-    if (this.#isSlow) this.dispatchEvent(new CustomEvent("progress", { detail: { progress } }));
-  }
-
-  /** Work has begun that may take long. */
-  #begin() {
-    clearTimeout(this.#slow);
-    this.#slow = setTimeout(() => {
-      this.#isSlow = true;
-      this.#frame.working.classList.add("shown");
-      this.dispatchEvent(new CustomEvent("progress", { detail: { progress: 0 } }));
-    }, SLOW);
-  }
-
-  #finish() {
-    clearTimeout(this.#slow);
-    this.#isSlow = false;
-    this.#frame.working.classList.remove("shown");
+    this.dispatchEvent(new CustomEvent("error", { detail }));
   }
 
   /** @param {string} state */
@@ -517,10 +472,10 @@ export class DirectrixFigure extends Base {
 
   /** Everything but picture and controls. @returns {boolean} whether the figure may be seen */
   #renderFrame() {
-    const isRevealed = this.#isRevealed || this.#choice("reveal") === "auto";
+    const isRevealed = this.#isRevealed || choiceOf(this, "reveal") === "auto";
     this.#frame.render({
       state: this.#state,
-      controls: this.#choice("controls"),
+      controls: choiceOf(this, "controls"),
       title: this.getAttribute("alt") ?? this.#scene.document?.title ?? words.figure,
       result: this.#scene.result,
       poster: this.getAttribute("poster"),
@@ -535,7 +490,7 @@ export class DirectrixFigure extends Base {
 
   /** Paints in the theme of the place. */
   #paint() {
-    const chosen = this.#choice("theme");
+    const chosen = choiceOf(this, "theme");
     const theme = chosen === "auto" ? themeAround(this, this.#frame.ground) : chosen === "dark" ? "dark" : "light";
     attribute(this.#frame.inner, "data-theme", theme);
     if (this.#scene.theme !== theme) {
@@ -551,24 +506,7 @@ export class DirectrixFigure extends Base {
     this.#handles.render();
   }
 
-  /** The link leads to what is seen; it is written when that has come to rest. */
   #linkLater() {
-    clearTimeout(this.#linking);
-    if (!this.isConnected) return;
-    this.#linking = setTimeout(() => void this.#link(), SETTLED);
-  }
-
-  async #link() {
-    const state = this.#scene.state;
-    if (!state) return;
-    const { writeLink } = await import("../link.js");
-    const editor = new URL(this.getAttribute("editor") ?? DirectrixFigure.editor, document.baseURI);
-    const view = /** @type {"figure" | "steps" | "compare" | "solid"} */ (this.#other ? "figure" : this.#view);
-    editor.hash = writeLink({
-      document: state,
-      ...(view === "figure" ? {} : { view }),
-      ...(view === "steps" ? { step: this.#linkedStep } : {}),
-    });
-    attribute(this.#frame.open, "href", editor.href);
+    if (this.isConnected) this.#link.later();
   }
 }

@@ -5,6 +5,7 @@
  * @import { Size } from "./plane.js"
  */
 import { attribute, h } from "./dom.js";
+import { planePoints } from "./in-space.js";
 import { arrowStep, toPlane, toScreen } from "./plane.js";
 import { fixed, words } from "./words.js";
 
@@ -37,7 +38,7 @@ function moved(document, curve, point, at) {
   const isThere = (/** @type {number} */ i, /** @type {Curve} */ { form, points }) =>
     i === point || (form === "clamped" && point === 0 && i === points.length - 1);
   const curves = document.curves.map((each, c) =>
-    c === curve ? { ...each, points: each.points.map((from, i) => (isThere(i, each) ? at : from)) } : each,
+    c === curve ? { ...each, points: planePoints(each).map((from, i) => (isThere(i, each) ? at : from)) } : each,
   );
   return { ...document, curves };
 }
@@ -109,7 +110,7 @@ export class Handles {
       attribute(group, "aria-label", words.handles.group(curve?.name ?? words.handles.curve(c)));
       this.#stops[c] = Math.min(this.#stops[c], Math.max(0, count - 1));
       buttons.forEach((button, i) => {
-        const at = curve.points[i];
+        const at = planePoints(curve)[i];
         const [x, y] = toScreen(view, size, at);
         button.style.transform = `translate(${x.toFixed(2)}px, ${y.toFixed(2)}px)`;
         attribute(button, "tabindex", this.#stops[c] === i ? "0" : "-1");
@@ -124,7 +125,7 @@ export class Handles {
     const state = this.#host.state();
     if (!at || !state || this.#held || event.button !== 0) return;
     const button = this.#buttons[at.curve][at.point];
-    const [x, y] = toScreen(state.view, state.size, state.document.curves[at.curve].points[at.point]);
+    const [x, y] = toScreen(state.view, state.size, planePoints(state.document.curves[at.curve])[at.point]);
     const from = this.#pointer(event);
     button.setPointerCapture(event.pointerId);
     button.focus({ preventScroll: true });
@@ -157,7 +158,7 @@ export class Handles {
     const state = this.#host.state();
     if (!state) return;
     if (state.document !== this.#before) this.#host.change(state.document, false);
-    this.#host.say(spoken(held.curve, held.point, state.document.curves[held.curve].points[held.point]));
+    this.#host.say(spoken(held.curve, held.point, planePoints(state.document.curves[held.curve])[held.point]));
   }
 
   /** @param {KeyboardEvent} event */
@@ -182,7 +183,7 @@ export class Handles {
       this.#held = null;
       this.#buttons[curve][point].classList.remove("held", "touched");
       this.#host.change(this.#before, false);
-      this.#host.say(`${words.handles.restored}: ${spoken(curve, point, this.#before.curves[curve].points[point])}`);
+      this.#host.say(`${words.handles.restored}: ${spoken(curve, point, planePoints(this.#before.curves[curve])[point])}`);
     } else {
       return;
     }

@@ -1,7 +1,7 @@
 /**
  * Curves in space, which the module `figure` does not read.
  *
- * @import { CurvesDocument } from "../directrix.js"
+ * @import { Curve, CurvesDocument, Point } from "../directrix.js"
  */
 
 /**
@@ -13,3 +13,6 @@ export function isInSpace(document) {
   const point = document?.curves?.[0]?.points?.[0];
   return Array.isArray(point) && point.length > 2;
 }
+
+/** The control points of a curve in its plane, as all curves are that have handles. @param {Curve} curve */
+export const planePoints = (curve) => /** @type {Point[]} */ (curve.points);

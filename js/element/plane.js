@@ -5,6 +5,7 @@
  *
  * @typedef {{ width: number, height: number }} Size in CSS pixels
  */
+import { planePoints } from "./in-space.js";
 
 /**
  * @param {View} view
@@ -51,7 +52,7 @@ export function fitting(points, size, margin) {
  * @param {CurvesDocument} document
  */
 export function arrowStep({ curves }) {
-  const points = curves.flatMap((curve) => curve.points);
+  const points = curves.flatMap(planePoints);
   const [left, right] = bounds(points.map(([x]) => x));
   const [bottom, top] = bounds(points.map(([, y]) => y));
   const extent = Math.max(right - left, top - bottom);

@@ -9,8 +9,8 @@
 import { DirectrixError } from "../errors.js";
 import { toText } from "../text.js";
 import { stepsOf } from "./growth.js";
-import { isInSpace } from "./in-space.js";
-import { isWhole, Lane } from "./kernel.js";
+import { planePoints } from "./in-space.js";
+import { Lane } from "./kernel.js";
 import { fitting, toScreen } from "./plane.js";
 import { summary } from "./result.js";
 import { words } from "./words.js";
@@ -260,7 +260,6 @@ export class Scene {
     const incoming = this.#incoming;
     if (!incoming) return;
     const { text, document } = incoming;
-    if (isInSpace(document) && !isWhole()) throw new DirectrixError("not-in-module", "curves", "curves in space are read by the module \"full\"");
     try {
       const completed = await kernel.call("defaults", [text], { ...control });
       const match = await kernel.call("match", [text, {}], { ...control });
@@ -343,15 +342,15 @@ export class Scene {
     const { width } = this.size;
     if (!this.#match || width < 1) return;
     const curves = this.#match.samples.flatMap(({ points }) => points);
-    const handles = this.#hasHandles ? (this.document?.curves ?? []).flatMap(({ points }) => points) : [];
+    const handles = this.#hasHandles ? (this.document?.curves ?? []).flatMap(planePoints) : [];
     this.view = fitting([...curves, ...handles], this.size, this.#hasHandles ? MARGIN_OF_HANDLES : MARGIN);
   }
 
   /** Whether every control point can be reached. */
   #isInside() {
     const { width, height } = this.size;
-    return (this.document?.curves ?? []).every(({ points }) =>
-      points.every((at) => {
+    return (this.document?.curves ?? []).every((curve) =>
+      planePoints(curve).every((at) => {
         const [x, y] = toScreen(this.view, this.size, at);
         return x >= 4 && y >= 4 && x <= width - 4 && y <= height - 4;
       }),
@@ -369,7 +368,7 @@ function parsed(text) {
 }
 
 /** @param {HTMLCanvasElement} canvas @param {Picture} picture */
-export function show(canvas, { width, height, data }) {
+function show(canvas, { width, height, data }) {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
   canvas.getContext("2d")?.putImageData(new ImageData(/** @type {Uint8ClampedArray<ArrayBuffer>} */ (data), width, height), 0, 0);

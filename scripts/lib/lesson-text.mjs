@@ -18,7 +18,7 @@ import katex from "katex";
 import { FACTS } from "./lesson-facts.mjs";
 
 /** What a term may name in a figure of each view. */
-export const TERMS = {
+const TERMS = {
   figure: ["first", "second", "lines", "line", "samples", "band", "stage", "stages", "normals", "faults"],
   body: ["coefficients", "coefficient", "corners", "inner", "net", "edges", "point", "through", "witness", "moving"],
   part: ["features", "feature", "place", "section"],

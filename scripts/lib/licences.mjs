@@ -86,6 +86,19 @@ async function partOf(name, version, licence, folder) {
 }
 
 /**
+ * Parts with each text once: one that has the text of an earlier part names the place of that in the list.
+ *
+ * @param {readonly Part[]} parts
+ * @returns {(Part | (Omit<Part, "text"> & {textOf: number}))[]}
+ */
+export function withoutRepeats(parts) {
+  return parts.map(({ text, ...part }) => {
+    const first = parts.findIndex((other) => other.text === text);
+    return parts[first].name === part.name && parts[first].version === part.version ? { ...part, text } : { ...part, textOf: first };
+  });
+}
+
+/**
  * A Vite plugin that writes `licences.json` beside the built page: a list of parts by name.
  *
  * @returns {import("vite").Plugin}
@@ -100,7 +113,7 @@ export function licences() {
       );
       const all = [...(await crates()), ...(await npmPackages(files))];
       all.sort((a, b) => a.name.localeCompare(b.name, "en") || a.version.localeCompare(b.version, "en"));
-      this.emitFile({ type: "asset", fileName: "licences.json", source: `${JSON.stringify(all, null, 1)}\n` });
+      this.emitFile({ type: "asset", fileName: "licences.json", source: `${JSON.stringify(withoutRepeats(all), null, 1)}\n` });
     },
   };
 }

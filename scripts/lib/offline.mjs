@@ -79,7 +79,7 @@ export function changesIn(text) {
 const manifest = {
   name: "Directrix",
   short_name: "Directrix",
-  description: "Matching of curves, morphs and material blends",
+  description: "Curves that match, shapes that morph, materials that blend",
   id: "./",
   start_url: "./",
   scope: "./",

@@ -6,7 +6,7 @@ import { run } from "./run.mjs";
 import { inputs, isFresh, mark, unmark } from "./stamp.mjs";
 
 /** The folder that the page takes them from. */
-export const thumbnailFolder = join(root, "www/thumbnails");
+const thumbnailFolder = join(root, "www/thumbnails");
 
 const script = "scripts/paint-thumbnails.mjs";
 

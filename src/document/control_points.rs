@@ -1,5 +1,7 @@
 //! The control points of a curve.
 
+#[cfg(not(feature = "solid"))]
+use super::Code;
 use super::DocumentError;
 use super::node::Node;
 #[cfg(feature = "solid")]
@@ -18,9 +20,12 @@ pub(super) fn control_points(list: &Node<'_>) -> Result<ControlPoints, DocumentE
     Ok(plane_points(list)?.into())
 }
 
-/// Reads a list of points in the plane.
+/// Reads a list of points in the plane, and refuses one in space.
 #[cfg(not(feature = "solid"))]
 pub(super) fn control_points(list: &Node<'_>) -> Result<ControlPoints, DocumentError> {
+    if list.items()?.first().is_some_and(|first| first.has_length(3)) {
+        return Err(list.error(Code::NotInModule, "curves in space need the module \"full\"".to_owned()));
+    }
     plane_points(list)
 }
 

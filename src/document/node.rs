@@ -78,7 +78,6 @@ impl<'a> Node<'a> {
     }
 
     /// Tells whether the value is a list of so many items.
-    #[cfg(feature = "solid")]
     pub(crate) fn has_length(&self, length: usize) -> bool {
         matches!(self.value, Json::List(values) if values.len() == length)
     }

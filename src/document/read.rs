@@ -226,12 +226,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(not(feature = "harmonic"))]
-    fn a_harmonic_blend_is_left_to_the_whole_module() {
-        expect_at(Code::NotInModule, "blend.kind", "/blend/kind", json!("harmonic"));
-    }
-
-    #[test]
     fn settings_of_methods_have_the_stated_defaults() {
         let with = |matching: Value| {
             let mut document = minimal();

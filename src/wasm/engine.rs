@@ -2,9 +2,11 @@
 
 use super::clock;
 use super::error::to_js;
+use super::growth::{sets, steps};
 use super::json::parse;
 use super::painting::Painting;
-use super::results::{MatchResult, ViewResult, isolines, probe, sets, stages, steps, to_value};
+use super::probe::probe;
+use super::results::{MatchResult, ViewResult, isolines, stages, to_value};
 use crate::document::{self, Code, CurvesDocument, DocumentError, IsoOptions, Memory, Solution, Solve};
 use crate::picture::{self, DisplayList, PictureOptions, Viewport, figure};
 use glam::DVec2;
@@ -65,7 +67,7 @@ impl Engine {
         let solution = self.solve(text)?;
         #[cfg(feature = "harmonic")]
         if let Some(harmonic) = solution.harmonic() {
-            return to_value(&super::results::levels(harmonic, solution.model.document()));
+            return to_value(&super::harmonic::levels(harmonic, solution.model.document()));
         }
         #[cfg(feature = "stack")]
         if let Some(stack) = solution.stack() {

@@ -1,16 +1,21 @@
 //! The harmonic blend of nested curves.
 
 use super::clock;
+use super::diagnostic::DiagnosticResult;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
 use super::laplace::set;
-use super::results::{DiagnosticResult, HarmonicSummary, ProbeResult, to_value};
-use crate::document::{Code, Difference, DocumentError, Harmonic, LayerName, Model, Outcome, Solution};
+use super::probe::ProbeResult;
+use super::results::{StageResult, arrays, to_value};
+use crate::document::{
+    Code, CurvesDocument, Difference, DocumentError, Harmonic, LayerName, Model, Outcome, Solution,
+};
 use crate::morph::HarmonicBlend;
 use crate::picture::PictureOptions;
 use glam::DVec2;
 use js_sys::{Array, Float64Array, Object, Uint32Array};
+use serde::Serialize;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 #[wasm_bindgen]
@@ -48,6 +53,65 @@ impl Engine {
         Ok(solution.harmonic().is_some()
             && options.figure(&solution.model).layers.contains(&LayerName::Difference))
     }
+}
+
+/// What is to be said of a harmonic blend in numbers.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct HarmonicSummary {
+    /// Number of the outer curve.
+    outer: usize,
+    /// Segments of all curves.
+    segments: usize,
+    /// Lines along the gradient, pairs of them that meet, and lines that were lost.
+    lines: usize,
+    crossings: usize,
+    lost: usize,
+    /// Most iterations for a quantity, and the largest residual over the right-hand side.
+    iterations: usize,
+    residual: f64,
+    /// What flows from the outer curve to the others, and the share of it that is missing on one side.
+    flux: f64,
+    flux_balance: f64,
+    /// Area between the curves, and how much of each material is there.
+    area: f64,
+    amounts: Vec<f64>,
+    /// Vertices and triangles on which the blend is shown.
+    vertices: usize,
+    triangles: usize,
+}
+
+impl HarmonicSummary {
+    pub(super) fn new(blend: &HarmonicBlend) -> Self {
+        let solution = blend.solution();
+        let found = || solution.convergences().iter();
+        let last = found().filter_map(|own| own.residuals.last().copied());
+        Self {
+            outer: blend.rings().outer(),
+            segments: blend.rings().count(),
+            lines: blend.lines().len(),
+            crossings: blend.crossings(),
+            lost: blend.lost(),
+            iterations: found().map(|own| own.iterations()).max().unwrap_or(0),
+            residual: last.fold(0.0, f64::max),
+            flux: blend.flux(),
+            flux_balance: solution.flux_balance().first().map_or(0.0, |balance| balance.abs()),
+            area: blend.area(),
+            amounts: blend.amounts(),
+            vertices: blend.field().points.len(),
+            triangles: blend.field().triangles.len(),
+        }
+    }
+}
+
+/// The level curves of a harmonic blend, each of them with the place of its stage.
+pub(super) fn levels(harmonic: &Harmonic, document: &CurvesDocument) -> Vec<StageResult> {
+    let segments = document.segments();
+    let stage = |(j, loops): (usize, &Vec<Vec<DVec2>>)| {
+        let s = (j + 1) as f64 / segments as f64;
+        loops.iter().map(|points| StageResult { s, points: arrays(points) }).collect::<Vec<_>>()
+    };
+    harmonic.blend.levels().iter().enumerate().flat_map(stage).collect()
 }
 
 fn result(solution: &Solution, difference: bool) -> Result<JsValue, JsValue> {

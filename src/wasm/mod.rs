@@ -9,12 +9,14 @@ mod amounts;
 mod answers;
 #[cfg(feature = "laplace")]
 mod boundary;
+mod diagnostic;
 #[cfg(feature = "edit")]
 mod edit;
 mod engine;
 mod error;
 #[cfg(feature = "explain")]
 mod explain;
+mod growth;
 #[cfg(feature = "harmonic")]
 mod harmonic;
 #[cfg(feature = "hyperpatch")]
@@ -29,6 +31,7 @@ mod painting;
 mod part;
 #[cfg(feature = "paths")]
 mod paths;
+mod probe;
 #[cfg(feature = "hyperpatch")]
 mod reading;
 mod results;

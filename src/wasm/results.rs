@@ -1,19 +1,13 @@
 //! Results as they go out: plain objects of the shapes in `docs/api.md`.
 
+use super::diagnostic::DiagnosticResult;
 #[cfg(feature = "harmonic")]
-use crate::document::Harmonic;
+use super::harmonic::HarmonicSummary;
 #[cfg(feature = "solid")]
 use crate::document::Model;
-use crate::document::{
-    Code, CurvesDocument, Diagnostic, DocumentError, Gap, GapKind, IsoOptions, Outcome, Solution,
-};
-use crate::matching::{
-    Details, Insertion, Matching, Obstacle, OneToOne, Outline, Problem, RulingLine, Seen, Totals, Trace,
-    VertexSets, trace, vertex_sets,
-};
-#[cfg(feature = "harmonic")]
-use crate::morph::HarmonicBlend;
-use crate::morph::{Band, IsoLine, Place};
+use crate::document::{CurvesDocument, DocumentError, Gap, GapKind, IsoOptions, Outcome, Solution};
+use crate::matching::{Details, Matching, OneToOne, Problem, RulingLine, Totals};
+use crate::morph::{Band, IsoLine};
 use crate::picture::Viewport;
 use glam::DVec2;
 use serde::Serialize;
@@ -52,68 +46,6 @@ pub(super) struct MatchResult {
     #[cfg(feature = "harmonic")]
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonic: Option<HarmonicSummary>,
-}
-
-/// What is to be said of a harmonic blend in numbers.
-#[cfg(feature = "harmonic")]
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-pub(super) struct HarmonicSummary {
-    /// Number of the outer curve.
-    outer: usize,
-    /// Segments of all curves.
-    segments: usize,
-    /// Lines along the gradient, pairs of them that meet, and lines that were lost.
-    lines: usize,
-    crossings: usize,
-    lost: usize,
-    /// Most iterations for a quantity, and the largest residual over the right-hand side.
-    iterations: usize,
-    residual: f64,
-    /// What flows from the outer curve to the others, and the share of it that is missing on one side.
-    flux: f64,
-    flux_balance: f64,
-    /// Area between the curves, and how much of each material is there.
-    area: f64,
-    amounts: Vec<f64>,
-    /// Vertices and triangles on which the blend is shown.
-    vertices: usize,
-    triangles: usize,
-}
-
-#[cfg(feature = "harmonic")]
-impl HarmonicSummary {
-    pub(super) fn new(blend: &HarmonicBlend) -> Self {
-        let solution = blend.solution();
-        let found = || solution.convergences().iter();
-        let last = found().filter_map(|own| own.residuals.last().copied());
-        Self {
-            outer: blend.rings().outer(),
-            segments: blend.rings().count(),
-            lines: blend.lines().len(),
-            crossings: blend.crossings(),
-            lost: blend.lost(),
-            iterations: found().map(|own| own.iterations()).max().unwrap_or(0),
-            residual: last.fold(0.0, f64::max),
-            flux: blend.flux(),
-            flux_balance: solution.flux_balance().first().map_or(0.0, |balance| balance.abs()),
-            area: blend.area(),
-            amounts: blend.amounts(),
-            vertices: blend.field().points.len(),
-            triangles: blend.field().triangles.len(),
-        }
-    }
-}
-
-/// The level curves of a harmonic blend, each of them with the place of its stage.
-#[cfg(feature = "harmonic")]
-pub(super) fn levels(harmonic: &Harmonic, document: &CurvesDocument) -> Vec<StageResult> {
-    let segments = document.segments();
-    let stage = |(j, loops): (usize, &Vec<Vec<DVec2>>)| {
-        let s = (j + 1) as f64 / segments as f64;
-        loops.iter().map(|points| StageResult { s, points: arrays(points) }).collect::<Vec<_>>()
-    };
-    harmonic.blend.levels().iter().enumerate().flat_map(stage).collect()
 }
 
 /// How curves in space are seen in the plane.
@@ -184,36 +116,6 @@ pub(super) struct LineTotals {
     pub(super) uncovered: [Vec<usize>; 2],
 }
 
-#[derive(Serialize, Default)]
-pub(super) struct DiagnosticResult {
-    code: &'static str,
-    message: String,
-    #[cfg(feature = "stack")]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    span: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    curve: Option<usize>,
-    #[cfg(feature = "harmonic")]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    curves: Option<Vec<usize>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    vertices: Option<Vec<usize>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    lines: Option<Vec<usize>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pins: Option<Vec<usize>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    parameter: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    turn: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    normal: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    at: Option<[f64; 2]>,
-}
-
 /// A view: the point in the middle and the scale in CSS pixels per unit.
 #[derive(Serialize)]
 pub(super) struct ViewResult {
@@ -225,27 +127,6 @@ pub(super) struct ViewResult {
 pub(super) struct StageResult {
     pub(super) s: f64,
     pub(super) points: Vec<[f64; 2]>,
-}
-
-#[derive(Serialize)]
-pub(super) struct ProbeResult {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) span: Option<usize>,
-    pub(super) line: usize,
-    pub(super) s: f64,
-    pub(super) u: f64,
-    pub(super) v: f64,
-    pub(super) at: [f64; 2],
-    pub(super) fractions: Vec<f64>,
-    pub(super) value: f64,
-    pub(super) cosine: f64,
-    pub(super) length: f64,
-    pub(super) from: [f64; 2],
-    pub(super) to: [f64; 2],
-    /// Of the potential of a harmonic blend.
-    #[cfg(feature = "harmonic")]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) gradient: Option<[f64; 2]>,
 }
 
 impl MatchResult {
@@ -395,98 +276,6 @@ impl ProjectionResult {
     }
 }
 
-#[cfg(feature = "solid")]
-impl DiagnosticResult {
-    /// A remark that speaks of nothing more than a curve and a place.
-    pub(super) fn remark(
-        code: &'static str,
-        message: String,
-        curve: Option<usize>,
-        at: Option<DVec2>,
-    ) -> Self {
-        Self { code, message, curve, at: at.map(|at| at.to_array()), ..Self::default() }
-    }
-}
-
-impl From<&Diagnostic> for DiagnosticResult {
-    fn from(diagnostic: &Diagnostic) -> Self {
-        let mut result = Self { code: diagnostic.code(), message: diagnostic.to_string(), ..Self::default() };
-        match diagnostic {
-            Diagnostic::Corner { curve, parameter, at, turn, normal } => {
-                result.curve = Some(*curve);
-                result.parameter = Some(*parameter);
-                result.turn = Some(*turn);
-                result.normal = Some(normal.to_array());
-                result.at = Some(at.to_array());
-            }
-            Diagnostic::OpposedNormals { lines }
-            | Diagnostic::Occluded { lines }
-            | Diagnostic::Unverified { lines } => result.lines = Some(lines.clone()),
-            Diagnostic::Pins { pins, obstacle } => {
-                result.pins = Some(pins.clone());
-                result.reason = Some(match obstacle {
-                    Obstacle::PinsCross { .. } => "cross",
-                    Obstacle::NoRoom { .. } => "no-room",
-                    _ => "blocked",
-                });
-            }
-            Diagnostic::Orphan { curve, vertices }
-            | Diagnostic::Stuck { curve, vertices }
-            | Diagnostic::LeftOut { curve, vertices }
-            | Diagnostic::Jammed { curve, vertices } => {
-                result.curve = Some(*curve);
-                result.vertices = Some(vertices.clone());
-            }
-            Diagnostic::Incomplete { .. }
-            | Diagnostic::Disjoint
-            | Diagnostic::Solvable
-            | Diagnostic::Ends { .. } => {}
-            Diagnostic::SampleLimit { curve } => result.curve = Some(*curve),
-            Diagnostic::UnverifiedGap { lines, at } => {
-                result.lines = Some(lines.clone());
-                result.at = Some(at.to_array());
-            }
-            Diagnostic::Crossing { at } => result.at = Some(at.to_array()),
-            Diagnostic::CoarseSampling { at } => result.at = at.map(|at| at.to_array()),
-            #[cfg(feature = "stack")]
-            Diagnostic::InSpan { span, remark } => {
-                result = Self { message: result.message, span: Some(*span), ..Self::from(&**remark) };
-            }
-            #[cfg(feature = "stack")]
-            Diagnostic::Order { curve, at } => {
-                result.curve = Some(*curve);
-                result.at = Some(at.to_array());
-            }
-            #[cfg(feature = "stack")]
-            Diagnostic::Overlap { span, at } => {
-                result.span = Some(*span);
-                result.at = Some(at.to_array());
-            }
-            #[cfg(feature = "stack")]
-            Diagnostic::NoThread => {}
-            #[cfg(feature = "harmonic")]
-            Diagnostic::SeveralInner { curves, .. }
-            | Diagnostic::OpenCurves { curves }
-            | Diagnostic::HeightsIgnored { curves } => result.curves = Some(curves.clone()),
-            #[cfg(feature = "harmonic")]
-            Diagnostic::CurvesMeet { curves, at } | Diagnostic::Nested { curves, at } => {
-                result.curves = Some(curves.to_vec());
-                result.at = Some(at.to_array());
-            }
-            #[cfg(feature = "harmonic")]
-            Diagnostic::NoOuter { curves, at } => {
-                result.curves = Some(curves.clone());
-                result.at = Some(at.to_array());
-            }
-            #[cfg(feature = "harmonic")]
-            Diagnostic::NoField { at, .. } => result.at = at.map(|at| at.to_array()),
-            #[cfg(feature = "harmonic")]
-            Diagnostic::LostLines { .. } | Diagnostic::NoRuledBlend => {}
-        }
-        result
-    }
-}
-
 impl From<Viewport> for ViewResult {
     fn from(viewport: Viewport) -> Self {
         Self { center: viewport.center.to_array(), scale: viewport.scale / viewport.pixel_ratio }
@@ -517,105 +306,6 @@ pub(super) fn isolines(lines: impl Fn(usize, f64) -> Vec<IsoLine>, options: &Iso
         }
     }
     flat
-}
-
-/// The steps of a greedy matching: a list each for the lines accepted (from, to, value), those passed over (from, to, step, blocking line),
-/// those removed (index among the accepted), and what the passes of insertion move (curve, vertex, x, y, value).
-pub(super) fn steps(solution: &Solution) -> [Vec<Vec<f64>>; 4] {
-    let Outcome::Matched { problem, matching, pairs, .. } = &solution.outcome else {
-        return Default::default();
-    };
-    let Trace { growth, rejected, removed } = trace(problem, &matching.growth);
-    let model = &solution.model;
-    let inserted = match (model.pair(), pairs) {
-        (Some((curves, samples)), Some(_)) => Insertion::new(curves, samples, problem, matching).inserted(),
-        _ => Vec::new(),
-    };
-    let number = |k: usize| k as f64;
-    [
-        growth.iter().map(|line| vec![number(line.from), number(line.to), line.value]).collect(),
-        rejected.iter().map(|no| [no.from, no.to, no.step, no.by].map(number).to_vec()).collect(),
-        removed.iter().map(|&k| vec![number(k)]).collect(),
-        inserted
-            .iter()
-            .map(|new| vec![number(new.curve), number(new.vertex), new.at.x, new.at.y, new.value])
-            .collect(),
-    ]
-}
-
-/// The sets of a vertex: first R as a list, then of each vertex that it sees the number, the value of the line, and 1 for a candidate.
-///
-/// # Errors
-/// When there is no such step or vertex.
-pub(super) fn sets(
-    solution: &Solution,
-    step: usize,
-    curve: usize,
-    vertex: usize,
-) -> Result<Vec<Vec<f64>>, DocumentError> {
-    let refused = |path: &str, found: usize, count: usize| {
-        let message = format!("{found} was found; expected a whole number below {count}");
-        Err(DocumentError::new(Code::Range, path, message))
-    };
-    let (steps, count) = match &solution.outcome {
-        Outcome::Matched { problem, matching, .. } => {
-            (matching.growth.len() + 1, problem.outlines().get(curve).map_or(0, Outline::len))
-        }
-        _ => (0, 0),
-    };
-    if step >= steps {
-        return refused("options.step", step, steps);
-    }
-    if curve > 1 {
-        return refused("options.curve", curve, 2);
-    }
-    if vertex >= count {
-        return refused("options.vertex", vertex, count);
-    }
-    let Outcome::Matched { problem, matching, .. } = &solution.outcome else { return Ok(Vec::new()) };
-    let VertexSets { visible, valid } = vertex_sets(problem, &matching.growth[..step], curve, vertex);
-    let seen = |seen: &Seen| vec![seen.vertex as f64, seen.value, f64::from(u8::from(seen.is_candidate))];
-    let valid = valid.iter().map(|&vertex| vertex as f64).collect();
-    Ok(std::iter::once(valid).chain(visible.iter().map(seen)).collect())
-}
-
-/// What the band holds at a point, and the nearest ruling line; `None` outside the band or without one.
-pub(super) fn probe(solution: &Solution, at: DVec2) -> Option<ProbeResult> {
-    #[cfg(feature = "stack")]
-    if let Some(stack) = solution.stack() {
-        return super::stack::probe(stack, at);
-    }
-    let (band, (problem, lines, _)) = (solution.band()?, solution.lines()?);
-    let place = band.locate(at)?;
-    probed(problem, lines, place, at)
-}
-
-/// What is told of a place and of the ruling line next to it.
-pub(super) fn probed(
-    problem: &Problem,
-    lines: &[RulingLine],
-    place: Place,
-    at: DVec2,
-) -> Option<ProbeResult> {
-    let Place { line, s, u, v, composition } = place;
-    let ruling = lines.get(line)?;
-    let [first, second] = problem.outlines();
-    Some(ProbeResult {
-        span: None,
-        line,
-        s,
-        u,
-        v,
-        at: at.to_array(),
-        fractions: composition.fractions().to_vec(),
-        value: ruling.value,
-        cosine: problem.cosine(ruling.from, ruling.to),
-        length: problem.length(ruling.from, ruling.to),
-        from: first.points[ruling.from].to_array(),
-        to: second.points[ruling.to].to_array(),
-        #[cfg(feature = "harmonic")]
-        gradient: None,
-    })
 }
 
 /// A result as a value of the host.

@@ -1,10 +1,11 @@
 //! Solids, and files of them, in steps.
 
 use super::clock;
+use super::diagnostic::DiagnosticResult;
 use super::engine::Engine;
 use super::error::to_js;
 use super::json::parse;
-use super::results::{DiagnosticResult, ProjectionResult, to_value};
+use super::results::{ProjectionResult, to_value};
 use crate::document::{
     DocumentError, Outcome, Solid, SolidJob, SolidOptions, SolidRemark, Solution, flat, why_no_solid,
 };

@@ -1,9 +1,7 @@
 //! Results of stacks: those of their spans, and what belongs to all curves together.
 
-use super::results::{
-    GrowthTotals, LineTotals, MatchResult, ProbeResult, StageResult, TotalsResult, arrays, line_totals,
-    probed,
-};
+use super::probe::{ProbeResult, probed};
+use super::results::{GrowthTotals, LineTotals, MatchResult, StageResult, TotalsResult, arrays, line_totals};
 use crate::curve::BSpline;
 use crate::document::{DocumentError, Outcome, Solution, Stacked};
 use crate::morph::{Place, StackBlend, StackPlace};

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { test } from "node:test";
-import { crates, npmPackages } from "../../scripts/lib/licences.mjs";
+import { crates, npmPackages, withoutRepeats } from "../../scripts/lib/licences.mjs";
 import { root } from "../../scripts/lib/paths.mjs";
 
 test("the crates are those that the modules are compiled from, without macros and what only tests use", async () => {
@@ -26,6 +26,13 @@ test("every part states its licence and carries a text of it", async () => {
     assert.match(licence, /MIT|Apache|BSD|Zlib|ISC|Unicode|0BSD/, name);
     assert.ok(text.length > 500, `${name} carries ${text.length} characters`);
   }
+});
+
+test("a text that several parts have is written once", async () => {
+  const parts = await crates();
+  const written = withoutRepeats(parts);
+  assert.deepEqual(written.map((part) => ("text" in part ? part.text : /** @type {{text: string}} */ (written[part.textOf]).text)), parts.map(({ text }) => text));
+  assert.ok(written.some((part) => !("text" in part)));
 });
 
 test("packages are found from the files of a bundle, each once", async () => {

@@ -19,7 +19,6 @@ import {
   freshName,
   makeBody,
   makeHole,
-  movePoints,
   moveShape,
   moveShapes,
   placeHandle,
@@ -104,9 +103,9 @@ const near = (a, b, by) => assert.ok(Math.abs(a - b) <= by, `${a}, not ${b}`);
 /** The codes of what the kernel says. @param {WholePart} document */
 const codes = (document) => dx.part(document).diagnostics.map(({ code, path }) => `${code} ${path}`);
 
-test("a point, several, a whole shape and several shapes move, and all else stays the same object", () => {
-  const moved = movePoints(all, "plate", [1, 2], [5, -0.1]);
-  assert.deepEqual(pointsOf(need(moved, "plate")), [[0, 0], [65, -0.1], [65, 39.9], [0, 40]]);
+test("a point, a whole shape and several shapes move, and all else stays the same object", () => {
+  const moved = placeHandle(all, "plate", 2, [65, 39.9]);
+  assert.deepEqual(pointsOf(need(moved, "plate")), [[0, 0], [60, 0], [65, 39.9], [0, 40]]);
   assert.equal(moved.bodies, all.bodies);
   moved.shapes?.forEach((shape, i) => assert.equal(shape === all.shapes?.[i], shape.name !== "plate"));
   // Points that stay are the same objects as well.
@@ -122,15 +121,15 @@ test("a point, several, a whole shape and several shapes move, and all else stay
   }
   assert.deepEqual(moveShapes(all, ["dot", "bore", "dot"], [1, 2]), moveShape(moveShape(all, "dot", [1, 2]), "bore", [1, 2]));
   assert.equal(moveShape(all, "nothing", [1, 1]), all);
-  assert.equal(movePoints(all, "plate", [], [1, 1]), all);
+  assert.equal(placeHandle(all, "plate", 2, [60, 40]), all);
 });
 
 test("the first point of a clamped curve takes the last along", () => {
-  const after = need(movePoints(all, "loop", [0], [1, 1]), "loop");
+  const after = need(placeHandle(all, "loop", 0, [71, 51]), "loop");
   assert.ok(after.kind === "curve");
   assert.deepEqual(after.points, [[71, 51], [90, 50], [90, 70], [70, 70], [71, 51]]);
   assert.equal(handleCount(after), 4);
-  assert.deepEqual(codes(movePoints(all, "loop", [0], [1, 1])), []);
+  assert.deepEqual(codes(placeHandle(all, "loop", 0, [71, 51])), []);
 });
 
 test("handles are put in place; rim and direction set a radius and a direction", () => {

@@ -254,7 +254,8 @@ test("curves in space are matched as they are seen, say so, and are the rims of 
   const [first] = dx.defaults(document).curves;
   assert.deepEqual([first.points[3].length, first.height], [3, 0]);
   const figure = await load({ module: "figure" });
-  assert.equal(refused(() => figure.match(document)).path, "curves[0].points[0]");
+  const { code, path } = refused(() => figure.match(document));
+  assert.deepEqual({ code, path }, { code: "not-in-module", path: "curves[0].points" });
   const shown = await completed(/** @type {any} */ (dx), document);
   assert.deepEqual(shown.curves.map(({ points }) => points[0].length), [3, 3], "the page takes them as they are");
 });

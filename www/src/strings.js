@@ -1,6 +1,6 @@
 /**
- * Every word the page shows or speaks, in one place; only what must be shown without scripts stands in index.html.
- * Functions take what changes.
+ * The words that the page shows or speaks from the beginning; what is fetched later brings its own (`words.js`), and what must be
+ * shown without scripts stands in index.html. Functions take what changes.
  */
 
 /** @param {number} count @param {string} one @param {string} many */
@@ -107,24 +107,6 @@ export const strings = {
   app: "Directrix",
   commands,
 
-  topics: {
-    document: "Document",
-    mode: "Modes",
-    view: "View and grid",
-    draw: "Drawing",
-    select: "Selection",
-    points: "Points and curves",
-    frame: "Frame of a selection",
-    reading: "Reading of ruling lines",
-    fields: "Number fields",
-  },
-
-  empty: {
-    line: "Draw two curves, or start from something ready.",
-    gallery: "Gallery",
-    import: "Import",
-  },
-
   untitled: "Untitled",
 
   bar: {
@@ -157,18 +139,10 @@ export const strings = {
     openKind: "Documents and drawings",
     saveKind: "Directrix document",
     chosen: "the file",
-    saved: (/** @type {string} */ file) => `Saved ${file}`,
-    copied: (/** @type {string} */ file) => `Saved a copy as ${file}`,
-    changedOutside: (/** @type {string} */ file) =>
-      `${file} was changed outside this page. Save again to replace it, or save a copy.`,
     notAllowed: "the page may not write to it",
   },
 
   storage: {
-    copyOf: (/** @type {string} */ title) => `${title} (copy)`,
-    openElsewhere: (/** @type {string} */ title) => `${title} is open in another tab. This is a copy.`,
-    changedElsewhere: (/** @type {string} */ title) => `${title} was changed in another tab. This is a copy.`,
-    gone: "it is no longer there",
     /** Why nothing was kept, by the name of the browser's error. */
     problem: (/** @type {string} */ name) =>
       name === "QuotaExceededError"
@@ -180,7 +154,6 @@ export const strings = {
     region: "Figure",
     picture: (/** @type {string} */ title, /** @type {number} */ curves) =>
       `${title}: ${["no curve yet", "one curve", "two curves"][curves] ?? `${curves} curves`}${curves > 1 ? ", their ruling lines and the material between them" : ""}`,
-    menu: "Commands",
     pointer: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}  y ${y}`,
     zoom: "Zoom and grid",
     probe: "Ruling lines",
@@ -241,17 +214,8 @@ export const strings = {
     },
     corners: (/** @type {number} */ count) => plural(count, "corner", "corners"),
     smooth: "Smooth",
-    smoothed: (/** @type {string} */ curve, /** @type {number} */ points) =>
-      `${curve} is smooth now, with ${plural(points, "control point", "control points")}`,
-    doubled: (/** @type {string} */ name) => `Doubled ${name}`,
-    copied: (/** @type {string} */ curve) => `Copied to ${inSentence(curve)}`,
-    swapped: "Swapped the curves",
-    reversed: (/** @type {string} */ curve) => `Reversed ${inSentence(curve)}`,
-    deleted: (/** @type {string} */ curve) => `Deleted ${inSentence(curve)}`,
     selected: (/** @type {number} */ count) => `${plural(count, "point", "points")} selected`,
     noneInBox: "No point in the box",
-    addPoint: "Add to the selection",
-    dropPoint: "Take out of the selection",
   },
 
   sampling: {
@@ -263,16 +227,6 @@ export const strings = {
     heading: "Matching",
     phrase: (/** @type {string} */ method, /** @type {string} */ normal, /** @type {string} */ distance) =>
       `${method.replaceAll("-", " ")} · ${normal}, ${distance}`,
-  },
-
-  correspondence: {
-    over: "over",
-    pairs: (/** @type {number} */ count) => plural(count, "one-to-one line", "one-to-one lines"),
-    lines: (/** @type {number} */ count) => plural(count, "line", "lines"),
-    off: (/** @type {string} */ share) => `up to ${share}\u00a0% off the diagonal`,
-    name: (/** @type {string} */ lines, /** @type {string} */ off, /** @type {number} */ gaps) =>
-      `Plot of v over u for ${lines}: v rises with u all round and departs from equal shares of the parameters by at most ${off} %` +
-      (gaps > 0 ? `; ${plural(gaps, "gap keeps", "gaps keep")} lines that share ends.` : "."),
   },
 
   blend: {
@@ -330,10 +284,6 @@ export const strings = {
     isoMaterialField: "Material of the lines of equal mix",
   },
 
-  labels: {
-    share: (/** @type {string} */ name, /** @type {string} */ percent) => `${name} ${percent}`,
-  },
-
   legend: {
     more: (/** @type {number} */ count) => `and ${count} more`,
   },
@@ -359,10 +309,6 @@ export const strings = {
   },
 
   mixing: {
-    group: "Mix of materials",
-    bar: (/** @type {string} */ name) => `Share of ${name}`,
-    percent: (/** @type {string} */ name) => `Per cent of ${name}`,
-    triangle: "Mix of three materials",
     share: (/** @type {string} */ name, /** @type {string} */ percent) => `${name} ${percent}`,
   },
 
@@ -463,23 +409,12 @@ export const strings = {
     document: (/** @type {string} */ path, /** @type {string} */ message) =>
       path && !message.startsWith(path) ? `${path}: ${message}` : message,
     trap: "The computation stopped unexpectedly and was started again. Your document is unchanged.",
-    open: (/** @type {string} */ file, /** @type {string} */ reason) =>
-      `Could not open ${file}: ${reason}. The open document is unchanged.`,
-    notJson: "it is not JSON",
-    save: (/** @type {string} */ file, /** @type {string} */ reason) =>
-      `Could not save ${file}: ${reason}. Save a copy elsewhere.`,
   },
 
   field: {
     notNumber: "Enter a number",
     range: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a number from ${low} to ${high}`,
     whole: (/** @type {string} */ low, /** @type {string} */ high) => `Enter a whole number from ${low} to ${high}`,
-  },
-
-  import: {
-    pasted: "Pasted shapes",
-    onlyFirst: (/** @type {string} */ file, /** @type {number} */ count) =>
-      `${count} files were dropped; only ${file} was opened.`,
   },
 
   panel: {

@@ -1,21 +1,16 @@
 /**
- * What a figure of a body shows: its document, the verdict, the camera, and the section, which stands in for the place between curves. It
- * is to the element what the scene of curves is, see ../scene.js.
+ * What a figure of a body shows: its document, the verdict, the camera, and the section, which stands in for the place between curves.
  *
  * @import { BodySummary, CellVerdict, Control, HyperpatchDocument, RemoteHyperpatch } from "../../directrix.js"
- * @import { FigureResult } from "../../element.js"
  * @import { Kernel } from "../kernel.js"
- * @import { Size } from "../plane.js"
  * @import { Host } from "../scene.js"
  * @import { Cut, Shape } from "./picture.js"
  */
 import { STANDARD } from "../../space/camera.js";
 import { cornersOf } from "../../space/vector.js";
 import { isControl } from "../../connect.js";
-import { DirectrixError } from "../../errors.js";
 import { body as remoteBody } from "../../remote-body.js";
-import { Incoming } from "../incoming.js";
-import { isWhole, Lane } from "../kernel.js";
+import { WholeScene } from "../whole-scene.js";
 import { fixed } from "../words.js";
 import { cutOf, paint, shapeOf, within } from "./picture.js";
 import { bodyResult } from "./result.js";
@@ -36,38 +31,14 @@ const TOLERANCE = 1.5e-3;
 
 /** @typedef {{ verdicts: CellVerdict[], volume: number, summary: BodySummary | null }} Known */
 
-export class BodyScene {
-  /** @type {Kernel["runsIn"] | null} */
-  runsIn = null;
-  /** @type {HyperpatchDocument | null} */
-  document = null;
+/** @extends {WholeScene<HyperpatchDocument>} */
+export class BodyScene extends WholeScene {
   stages = STAGES;
-  /** @type {FigureResult | null} */
-  result = null;
-  /** @type {Size} */
-  size = { width: 0, height: 0 };
-  /** @type {"light" | "dark"} */
-  theme = "light";
-  /** What the slider is for. */
   slider = words.section;
-  hasLayers = false;
 
-  // What only curves have.
-  steps = null;
-  layers = null;
-  /** @type {import("../../directrix.js").LayerName[]} */
-  shownLayers = [];
-  view = /** @type {import("../../directrix.js").View} */ ({ center: [0, 0], scale: 1 });
-  hasHandles = false;
-  growsSteps = false;
-
-  #host;
-  #lane;
   #checks;
   #standpoint;
   #s = 0;
-  /** @type {Incoming<HyperpatchDocument>} */
-  #incoming;
   #text = "";
   /** @type {Shape | null} */
   #shape = null;
@@ -81,18 +52,8 @@ export class BodyScene {
    * @param {{ say: (text: string) => void, rested: () => void }} more `rested`: the camera has come to rest elsewhere
    */
   constructor(host, { say, rested }) {
-    this.#host = host;
-    this.#incoming = new Incoming((error) => host.onproblem("document", error));
-    this.#lane = new Lane({
-      work: (kernel, signal) => this.#turn(kernel, signal),
-      failed: (error) => host.onproblem("kernel", error),
-      urgency: host.urgency,
-    });
-    this.#checks = new Lane({
-      work: (kernel, signal) => this.#check(kernel, signal),
-      failed: (error) => host.onproblem("kernel", error),
-      urgency: () => 2,
-    });
+    super(host);
+    this.#checks = this.laneOf(() => 2, (kernel, signal) => this.#check(kernel, signal));
     this.#standpoint = new Standpoint({
       corners: () => this.#shape && cornersOf(this.#shape.bounds),
       size: () => this.size,
@@ -129,29 +90,7 @@ export class BodyScene {
     return plane ? words.cut(fixed(plane.offset, 2)) : words.whole;
   }
 
-  get state() {
-    return this.document;
-  }
-
-  /**
-   * Shows another body once it is found to be one; until then the last one stays.
-   *
-   * @param {import("../../directrix.js").DocumentInput} given
-   * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
-   */
-  open(given) {
-    this.#incoming.take(given);
-    this.#lane.cancel();
-    this.#lane.push();
-  }
-
-  /** Bodies are turned and cut, not edited. */
-  edit() {}
-
-  /** @param {Size} size */
-  resize(size) {
-    if (size.width === this.size.width && size.height === this.size.height) return;
-    this.size = size;
+  resized() {
     this.#standpoint.resize();
   }
 
@@ -159,14 +98,14 @@ export class BodyScene {
   refresh() {
     // Checks that were given up when the figure was taken from its page.
     if (this.#known && !this.#known.summary) this.#checks.push();
-    if (this.#incoming.waits || (this.#shape && this.#cut.s !== this.#s)) this.#lane.push();
+    if (this.incoming.waits || (this.#shape && this.#cut.s !== this.#s)) this.lane.push();
     else this.#standpoint.repaint();
   }
 
   /** Gives up what is asked for. */
   cancel() {
     this.#standpoint.cancel();
-    this.#lane.cancel();
+    this.lane.cancel();
     this.#checks.cancel();
   }
 
@@ -191,20 +130,18 @@ export class BodyScene {
   }
 
   /** @param {Kernel} kernel @param {AbortSignal} signal */
-  async #turn(kernel, signal) {
-    if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'bodies are read by the module "full"');
-    this.runsIn = kernel.runsIn;
-    const control = { signal, onprogress: this.#host.onprogress };
-    if (this.#incoming.waits) await this.#install(kernel, control);
+  async turn(kernel, signal) {
+    const control = this.begin(kernel, signal, "bodies");
+    if (this.incoming.waits) await this.#install(kernel, control);
     else if (this.document && this.#cut.s !== this.#s) this.#cut = await this.#section(kernel, control, this.#s);
-    this.#host.onprogress(1);
+    this.host.onprogress(1);
     this.#standpoint.repaint();
     this.#standpoint.settleLater();
   }
 
   /** @param {Kernel} kernel @param {Control} control */
   #install(kernel, control) {
-    return this.#incoming.settle(control.signal, async (given, isStillWanted) => {
+    return this.incoming.settle(control.signal, async (given, isStillWanted) => {
       const body = await asked(kernel, given.text, control);
       const verdicts = await body.verdicts({ global: false }, control);
       const surface = await body.surface(within(body.cells, TOLERANCE), control);
@@ -219,7 +156,7 @@ export class BodyScene {
       this.#standpoint.isFine = true;
       this.#standpoint.fit(STANDARD.iso);
       this.#standpoint.paint();
-      this.#host.onsolved("load");
+      this.host.onsolved("load");
       this.#checks.push();
       return true;
     });
@@ -236,7 +173,7 @@ export class BodyScene {
     this.#known = { ...known, verdicts, summary };
     this.result = bodyResult(verdicts, known.volume, summary);
     this.#standpoint.repaint();
-    this.#host.onsolved("edit");
+    this.host.onsolved("edit");
   }
 
   /**
@@ -263,8 +200,8 @@ export class BodyScene {
 
   #draw() {
     if (!this.#shape) return;
-    paint(this.#host.canvas, this.#shape, this.#cut.cut, this.#look(globalThis.devicePixelRatio || 1, this.theme));
-    this.#host.onpaint();
+    paint(this.host.canvas, this.#shape, this.#cut.cut, this.#look(globalThis.devicePixelRatio || 1, this.theme));
+    this.host.onpaint();
   }
 
   /** @param {number} ratio @param {"light" | "dark"} theme */

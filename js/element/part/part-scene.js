@@ -1,19 +1,15 @@
 /**
- * What a figure of a part shows: its document, its colours and what it is made of, to be read place by place. It is to the element what the
- * scene of curves is, see ../scene.js.
+ * What a figure of a part shows: its document, its colours and what it is made of, to be read place by place.
  *
  * @import { Control, PartDocument, PartPlace, Point, RemotePart, View } from "../../directrix.js"
- * @import { FigureResult } from "../../element.js"
  * @import { Kernel } from "../kernel.js"
  * @import { Size } from "../plane.js"
  * @import { Host } from "../scene.js"
  */
-import { DirectrixError } from "../../errors.js";
 import { remotePart } from "../../remote-part.js";
 import { h } from "../dom.js";
-import { Incoming } from "../incoming.js";
-import { isWhole, Lane } from "../kernel.js";
 import { fitting } from "../plane.js";
+import { WholeScene } from "../whole-scene.js";
 import { pictureOf } from "./picture.js";
 import { createPlaces } from "./places.js";
 import { partResult } from "./result.js";
@@ -28,41 +24,12 @@ const MOVING = 250_000;
 /** @typedef {{ part: RemotePart, document: Required<Pick<PartDocument, "materials" | "bodies">> & PartDocument }} Known `document` with every default */
 /** @typedef {{ canvas: HTMLCanvasElement, view: View, size: Size, key: string }} Painted a picture with the view that it is of */
 
-export class PartScene {
-  /** @type {Kernel["runsIn"] | null} */
-  runsIn = null;
-  /** @type {PartDocument | null} */
-  document = null;
-  /** @type {FigureResult | null} */
-  result = null;
-  /** @type {Size} */
-  size = { width: 0, height: 0 };
-  /** @type {"light" | "dark"} */
-  theme = "light";
-  /** @type {View} */
-  view = { center: [0, 0], scale: 1 };
-  hasLayers = false;
-
-  // What only curves have, or bodies.
-  s = 0;
-  stages = 0;
-  slider = "";
-  spoken = "";
-  steps = null;
-  layers = null;
-  /** @type {import("../../directrix.js").LayerName[]} */
-  shownLayers = [];
-  hasHandles = false;
-  growsSteps = false;
-
-  #host;
+/** @extends {WholeScene<PartDocument>} */
+export class PartScene extends WholeScene {
   #rested;
-  #lane;
   #reading;
   #places;
   #key = h("div", { class: "key", "aria-hidden": "true" });
-  /** @type {Incoming<PartDocument>} */
-  #incoming;
   #text = "";
   /** @type {Known | null} */
   #known = null;
@@ -79,19 +46,9 @@ export class PartScene {
    * @param {{ say: (text: string) => void, rested: () => void }} more `rested`: another view has come to rest
    */
   constructor(host, { say, rested }) {
-    this.#host = host;
+    super(host);
     this.#rested = rested;
-    this.#incoming = new Incoming((error) => host.onproblem("document", error));
-    this.#lane = new Lane({
-      work: (kernel, signal) => this.#turn(kernel, signal),
-      failed: (error) => host.onproblem("kernel", error),
-      urgency: host.urgency,
-    });
-    this.#reading = new Lane({
-      work: (kernel, signal) => this.#read(kernel, signal),
-      failed: (error) => host.onproblem("kernel", error),
-      urgency: () => 0,
-    });
+    this.#reading = this.laneOf(() => 0, (kernel, signal) => this.#read(kernel, signal));
     this.#places = createPlaces({
       view: () => this.view,
       fitted: () => this.#fitted(),
@@ -115,29 +72,7 @@ export class PartScene {
   /** @param {Document} owner */
   sheet = (owner) => partSheetOf(owner);
 
-  get state() {
-    return this.document;
-  }
-
-  /**
-   * Shows another part once it is found to be one; until then the last one stays.
-   *
-   * @param {import("../../directrix.js").DocumentInput} given
-   * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
-   */
-  open(given) {
-    this.#incoming.take(given);
-    this.#lane.cancel();
-    this.#lane.push();
-  }
-
-  /** Parts are read here, not edited. */
-  edit() {}
-
-  /** @param {Size} size */
-  resize(size) {
-    if (size.width === this.size.width && size.height === this.size.height) return;
-    this.size = size;
+  resized() {
     if (this.#follows) this.view = this.#fitted();
     this.#stretch();
     this.refresh();
@@ -145,12 +80,12 @@ export class PartScene {
 
   /** Brings the picture up with everything that it depends on. */
   refresh() {
-    if (this.#incoming.waits || this.#known) this.#lane.push();
+    if (this.incoming.waits || this.#known) this.lane.push();
   }
 
   /** Gives up what is asked for. */
   cancel() {
-    this.#lane.cancel();
+    this.lane.cancel();
     this.#reading.cancel();
     this.#places.clear();
   }
@@ -196,19 +131,17 @@ export class PartScene {
   }
 
   /** @param {Kernel} kernel @param {AbortSignal} signal */
-  async #turn(kernel, signal) {
-    if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'parts are read by the module "full"');
-    this.runsIn = kernel.runsIn;
-    const control = { signal, onprogress: this.#host.onprogress };
+  async turn(kernel, signal) {
+    const control = this.begin(kernel, signal, "parts");
     const isNew = await this.#install(kernel, control);
     if (this.#known) await this.#paint(kernel, control);
-    this.#host.onprogress(1);
-    if (isNew) this.#host.onsolved("load");
+    this.host.onprogress(1);
+    if (isNew) this.host.onsolved("load");
   }
 
   /** @param {Kernel} kernel @param {Control} control @returns {Promise<boolean>} whether another part is there */
   #install(kernel, control) {
-    return this.#incoming.settle(control.signal, async (given, isStillWanted) => {
+    return this.incoming.settle(control.signal, async (given, isStillWanted) => {
       const part = await asked(kernel, given.text, control);
       const document = /** @type {Known["document"]} */ (await part.defaults(control));
       const amounts = part.box ? await part.amounts({}, control) : { area: 0, amounts: [], bodies: [] };
@@ -246,13 +179,13 @@ export class PartScene {
     const canvas = await pictureOf(await asked(kernel, this.#text, control), look, control);
     this.#painted = { canvas, view, size, key };
     this.#stretch();
-    this.#host.onpaint();
+    this.host.onpaint();
   }
 
   /** Shows the last picture where it belongs in the present view, until that has one of its own. */
   #stretch() {
     const painted = this.#painted;
-    const { canvas } = this.#host;
+    const { canvas } = this.host;
     this.#places.render();
     if (!painted) return;
     const ratio = globalThis.devicePixelRatio || 1;

@@ -1,24 +1,21 @@
 /**
  * What a figure of a boundary value problem shows: in space its boundary, cut by the plane of the document, with the solution on it; in the plane the whole
- * of it. It is to the element what the scene of curves is, see ../scene.js.
+ * of it.
  *
  * @import { Control, LaplaceBoundary, LaplaceDocument, RemoteLaplaceSolution } from "../../directrix.js"
  * @import { FigureResult } from "../../element.js"
  * @import { Cut, Shape } from "../body/picture.js"
  * @import { Kernel } from "../kernel.js"
- * @import { Size } from "../plane.js"
  * @import { Host } from "../scene.js"
  */
-import { DirectrixError } from "../../errors.js";
 import { remoteLaplace } from "../../remote-laplace.js";
 import { STANDARD } from "../../space/camera.js";
 import { cornersOf } from "../../space/vector.js";
 import { paint } from "../body/picture.js";
 import { Standpoint } from "../body/standpoint.js";
 import { h } from "../dom.js";
-import { Incoming } from "../incoming.js";
-import { isWhole, Lane } from "../kernel.js";
 import { NO_MATCHING } from "../no-matching.js";
+import { WholeScene } from "../whole-scene.js";
 import { faceOf, planeOf, shapeOf } from "./picture.js";
 import { problemSheetOf } from "./style.js";
 import { words } from "./words.js";
@@ -29,38 +26,10 @@ const LARGE = 4000;
 /** What a document names when it has no materials, as in docs/format.md. */
 const MATERIALS = [{ color: "#f0e442" }, { color: "#009e73" }];
 
-export class ProblemScene {
-  /** @type {Kernel["runsIn"] | null} */
-  runsIn = null;
-  /** @type {LaplaceDocument | null} */
-  document = null;
-  /** @type {FigureResult | null} */
-  result = null;
-  /** @type {Size} */
-  size = { width: 0, height: 0 };
-  /** @type {"light" | "dark"} */
-  theme = "light";
-  hasLayers = false;
-
-  // What only curves have, or bodies.
-  s = 0;
-  stages = 0;
-  slider = "";
-  spoken = "";
-  steps = null;
-  layers = null;
-  /** @type {import("../../directrix.js").LayerName[]} */
-  shownLayers = [];
-  view = /** @type {import("../../directrix.js").View} */ ({ center: [0, 0], scale: 1 });
-  hasHandles = false;
-  growsSteps = false;
-
-  #host;
-  #lane;
+/** @extends {WholeScene<LaplaceDocument>} */
+export class ProblemScene extends WholeScene {
   #standpoint;
   #kind = h("div", { class: "key" });
-  /** @type {Incoming<LaplaceDocument>} */
-  #incoming;
   /** @type {{ shape: Shape, cut: Cut | null, isFlat: boolean } | null} */
   #known = null;
 
@@ -69,13 +38,7 @@ export class ProblemScene {
    * @param {{ say: (text: string) => void, rested: () => void }} more `rested`: the camera has come to rest elsewhere
    */
   constructor(host, { say, rested }) {
-    this.#host = host;
-    this.#incoming = new Incoming((error) => host.onproblem("document", error));
-    this.#lane = new Lane({
-      work: (kernel, signal) => this.#turn(kernel, signal),
-      failed: (error) => host.onproblem("kernel", error),
-      urgency: host.urgency,
-    });
+    super(host);
     this.#standpoint = new Standpoint({
       corners: () => this.#known && cornersOf(this.#known.shape.bounds),
       isFlat: () => this.#known?.isFlat === true,
@@ -94,42 +57,20 @@ export class ProblemScene {
   /** @param {Document} owner */
   sheet = (owner) => problemSheetOf(owner);
 
-  get state() {
-    return this.document;
-  }
-
-  /**
-   * Shows another problem once it is found to be one; until then the last one stays.
-   *
-   * @param {import("../../directrix.js").DocumentInput} given
-   * @throws {DirectrixError} when it is no JSON or holds a number that is not finite
-   */
-  open(given) {
-    this.#incoming.take(given);
-    this.#lane.cancel();
-    this.#lane.push();
-  }
-
-  /** Problems are looked at here, not edited. */
-  edit() {}
-
-  /** @param {Size} size */
-  resize(size) {
-    if (size.width === this.size.width && size.height === this.size.height) return;
-    this.size = size;
+  resized() {
     this.#standpoint.resize();
   }
 
   /** Brings the picture up with everything that it depends on. */
   refresh() {
-    if (this.#incoming.waits) this.#lane.push();
+    if (this.incoming.waits) this.lane.push();
     else this.#standpoint.repaint();
   }
 
   /** Gives up what is asked for. */
   cancel() {
     this.#standpoint.cancel();
-    this.#lane.cancel();
+    this.lane.cancel();
   }
 
   /**
@@ -153,18 +94,16 @@ export class ProblemScene {
   }
 
   /** @param {Kernel} kernel @param {AbortSignal} signal */
-  async #turn(kernel, signal) {
-    if (!isWhole()) throw new DirectrixError("not-in-module", "kind", 'boundary value problems are read by the module "full"');
-    this.runsIn = kernel.runsIn;
-    const control = { signal, onprogress: this.#host.onprogress };
-    if (this.#incoming.waits) await this.#install(kernel, control);
-    this.#host.onprogress(1);
+  async turn(kernel, signal) {
+    const control = this.begin(kernel, signal, "boundary value problems");
+    if (this.incoming.waits) await this.#install(kernel, control);
+    this.host.onprogress(1);
     this.#standpoint.repaint();
   }
 
   /** @param {Kernel} kernel @param {Control} control */
   #install(kernel, control) {
-    return this.#incoming.settle(control.signal, async (given, isStillWanted) => {
+    return this.incoming.settle(control.signal, async (given, isStillWanted) => {
       /** @type {LaplaceBoundary} */
       const boundary = await kernel.call("boundary", [given.text], control);
       const solution = boundary.ready ? await solved(kernel, boundary, control) : null;
@@ -182,15 +121,15 @@ export class ProblemScene {
       this.#standpoint.isFine = true;
       this.#standpoint.fit(STANDARD.iso);
       this.#standpoint.paint();
-      this.#host.onsolved("load");
+      this.host.onsolved("load");
       return true;
     });
   }
 
   #draw() {
     if (!this.#known) return;
-    paint(this.#host.canvas, this.#known.shape, this.#known.cut, this.#standpoint.look(globalThis.devicePixelRatio || 1, this.theme));
-    this.#host.onpaint();
+    paint(this.host.canvas, this.#known.shape, this.#known.cut, this.#standpoint.look(globalThis.devicePixelRatio || 1, this.theme));
+    this.host.onpaint();
   }
 }
 

@@ -4,7 +4,11 @@
  * @import { Browser, Page } from "playwright-core"
  * @import { PageOptions } from "../support/browser.js"
  */
+import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
+import { join } from "node:path";
+import { decodeDocument } from "../../../js/link.js";
+import { dist } from "../../../scripts/lib/paths.mjs";
 import { withPage } from "../support/browser.js";
 import { serveDist } from "../support/server.js";
 import { eventually } from "../page/workbench.js";
@@ -140,3 +144,9 @@ export async function colorAt(page, x, y, index = 0) {
 export async function colors(page, index = 0) {
   return (await pixels(page, index)).evaluate(({ data }) => new Set(new Uint32Array(data.buffer)).size);
 }
+
+/** The document of a preset, as it is served. @param {string} name */
+export const preset = async (name) => JSON.parse(await readFile(join(dist, "presets", `${name}.json`), "utf8"));
+
+/** The document in a link to the editor. @param {string | undefined} href */
+export const linked = (href) => decodeDocument(new URLSearchParams((href ?? "").split("#")[1]).get("s") ?? "");

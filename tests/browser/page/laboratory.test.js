@@ -4,7 +4,7 @@ import { load } from "directrix";
 import { audit } from "../support/axe.js";
 import { onOnePage } from "./one-page.js";
 import { offered, share } from "./sharing.js";
-import { documentOf, eventually, field, pick, spoken, status } from "./workbench.js";
+import { documentOf, drag, eventually, field, middle, pick, spoken, status } from "./workbench.js";
 
 /** @import { Page } from "playwright-core" */
 
@@ -109,6 +109,55 @@ onOnePage(
       await eventually(async () => assert.equal((await documentOf(page)).model.triangles.length, 6));
       await eventually(async () => assert.match(await status(page), /^Solved\s+6\s+triangles/));
       assert.ok(await page.locator("[data-lab-import-error]").isHidden());
+      // It has a problem of its own, which is told, and one step brings back what was there before.
+      const { title, groups, rest, materials } = await documentOf(page);
+      assert.deepEqual([title, groups.map((/** @type {{name: string}} */ { name }) => name), rest], ["closed", ["lower end", "upper end"], { flux: [0, 0] }]);
+      assert.match(await page.locator("[data-lab-told]").innerText(), new RegExp(`^closed\\.stl: 6 triangles\\..*${materials[0].name} at the lower end, ${materials[1].name} at the upper end`));
+      await page.locator("[data-action=undo]").click();
+      await eventually(async () => assert.equal((await documentOf(page)).title, "open"));
+      await page.locator("[data-lab-told]").waitFor({ state: "hidden" });
+    },
+
+    async "has boxes that are moved by handles on their sides, by pointer and keys, each in one step"(page) {
+      await solved(page);
+      await page.locator("[data-lab-group='0']").click();
+      await page.locator("[data-select=lab-by]").selectOption("box");
+      const box = async () => (await documentOf(page)).groups[0].where.box;
+      await eventually(async () => assert.deepEqual(await box(), [[0, 0, 0], [1, 1, 1]]));
+      const side = page.locator("[data-box-handle='z min']");
+      await side.waitFor();
+      await drag(page, await middle(side), [0, -120]);
+      await eventually(async () => assert.match(await spoken(page), /^z from 0\.\d\d, \d+ elements/));
+      const [low, high] = await box();
+      assert.ok(low[2] > 0.2 && low[2] < 0.9, `${low[2]}`);
+      assert.deepEqual([low.slice(0, 2), high], [[0, 0], [1, 1, 1]]);
+      await side.focus();
+      await page.keyboard.press("PageUp");
+      await eventually(async () => assert.ok(Math.abs((await box())[0][2] - low[2] - 0.1) < 2e-3));
+      await eventually(async () => assert.match((await side.getAttribute("aria-valuetext")) ?? "", /^z from 0\.\d\d$/));
+      await page.locator("[data-action=undo]").click();
+      await page.locator("[data-action=undo]").click();
+      await eventually(async () => assert.deepEqual(await box(), [[0, 0, 0], [1, 1, 1]]));
+      assert.deepEqual(await audit(page, [".lab-stage"]), []);
+      // With the group its handles go, and the keys stay with the picture.
+      await side.focus();
+      await page.keyboard.press("Escape");
+      await side.waitFor({ state: "hidden" });
+      assert.ok(await page.locator("[data-lab-keys]").evaluate((keys) => keys === document.activeElement));
+    },
+
+    async "takes more materials while its section is shown, and names the group that a fault is about"(page) {
+      await solved(page);
+      await openGroup(page, "lab-materials");
+      // Until it is solved anew the section has the materials from before.
+      await page.locator("[data-lab-material-add]").click();
+      await eventually(async () => assert.match(await status(page), /^Solved\s+768\s+triangles\s+\d+ \+ \d+\s+iterations/));
+      await page.locator("[data-lab-legend] .legend-triangle").waitFor();
+      await page.locator("[data-lab-group='0']").click();
+      await page.locator("[data-select=lab-by]").selectOption("positive");
+      await field(page, "lab-positive").fill("q");
+      await field(page, "lab-positive").press("Enter");
+      await eventually(async () => assert.match(await page.locator("[data-lab-fault=expression]").innerText(), /^top: .*`q`/));
     },
 
     async "compares every solver on it, with residuals as a plot, a table and a file"(page) {
@@ -154,6 +203,17 @@ onOnePage(
       await eventually(async () => assert.match(await spoken(page), /^x \S+, y 0\.\d\d, .*%/));
       assert.deepEqual(await audit(page, [".lab-stage", ".lab-aside"]), []);
       await page.keyboard.press("Escape");
+      await page.locator("[data-lab-group='1'][aria-pressed=false]").click();
+      await page.locator("[data-lab-group='1'][aria-pressed=true]").waitFor();
+      await page.locator("[data-select=lab-by]").selectOption("box");
+      const side = page.locator("[data-flat-handle='y min']");
+      await side.waitFor();
+      await side.focus();
+      await page.keyboard.press("PageUp");
+      await eventually(async () => assert.match(await spoken(page), /^y from \S?0\.\d\d, \d+ elements/));
+      await page.locator("[data-action=undo]").click();
+      await page.locator("[data-action=undo]").click();
+      await side.waitFor({ state: "hidden" });
       await share(page);
       await offered(page, /#v=1&s=/);
       await page.locator("[data-panel=share] [data-close]").click();

@@ -30,7 +30,7 @@ export function onOnePage(name, looks, options) {
 }
 
 /** Undoes until there is nothing left to be undone. @param {Page} page */
-export async function takeBack(page) {
+async function takeBack(page) {
   await eventually(async () => {
     const isDone = await page.evaluate(() => {
       const undo = /** @type {HTMLButtonElement} */ (document.querySelector("[data-action=undo]"));

@@ -1,7 +1,5 @@
 /** Every word of the comparison of methods. */
-
-/** @param {number} count @param {string} one @param {string} many */
-const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+import { plural } from "../strings.js";
 
 /** @type {{[method: string]: {name: string, line: string}}} */
 const methods = {
@@ -52,9 +50,7 @@ export const words = {
   mean: "Mean",
   count: "Lines",
   crossed: "Crossings",
-  crossedNote: "pairs of lines that meet",
   hit: "Blocked",
-  hitNote: "lines that hit a curve",
   time: "Time",
   timeNote: (/** @type {number} */ low, /** @type {number} */ high) =>
     high === 1 ? "ms" : low === high ? `ms, median of ${high}` : `ms, median of ${low} to ${high}`,

@@ -4,11 +4,13 @@
  * @import { Material } from "../types.js"
  * @import { Editing } from "./run.js"
  */
+import { ARROWS, stride } from "./arrows.js";
 import { attribute, h, write } from "../dom.js";
 import { percent } from "../format.js";
 import { fromTriangle, inTriangle, withFraction, written } from "../state/mix.js";
 import { strings } from "../strings.js";
 import { mixed } from "../oklab.js";
+import { words } from "./mixing-words.js";
 import { numberField } from "./number-field.js";
 import { newRun } from "./run.js";
 import { slider } from "./slider.js";
@@ -61,8 +63,8 @@ export function mixingControl(editing) {
         const material = materials[index];
         swatch.style.backgroundColor = material.color;
         write(name, material.name);
-        attribute(track.input, "aria-label", strings.mixing.bar(material.name));
-        attribute(input, "aria-label", strings.mixing.percent(material.name));
+        attribute(track.input, "aria-label", words.bar(material.name));
+        attribute(input, "aria-label", words.percent(material.name));
         attribute(track.input, "aria-valuetext", percent(mix[index]));
         track.set(mix[index]);
         field.set(Number((mix[index] * 100).toFixed(2)));
@@ -71,7 +73,7 @@ export function mixingControl(editing) {
   }
 
   const pad = createPad(editing, () => mix);
-  const element = h("div", { class: "mixing", role: "group", "aria-label": strings.mixing.group }, pad.element, bars);
+  const element = h("div", { class: "mixing", role: "group", "aria-label": words.group }, pad.element, bars);
 
   return {
     element,
@@ -111,7 +113,7 @@ function createPad(editing, current) {
   const names = [0, 1, 2].map((i) => h("span", { class: `triangle-name corner-${i}`, "aria-hidden": "true" }));
   const area = h(
     "div",
-    { class: "triangle-area", tabIndex: 0, role: "slider", "aria-label": strings.mixing.triangle, "data-triangle": "" },
+    { class: "triangle-area", tabIndex: 0, role: "slider", "aria-label": words.triangle, "data-triangle": "" },
     colors.element,
     dot,
   );
@@ -153,7 +155,7 @@ function createPad(editing, current) {
     area.addEventListener("pointercancel", up, { signal: over.signal });
   });
   area.addEventListener("keydown", (event) => {
-    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const arrow = ARROWS[event.key];
     if (event.key === "Escape" && editing.cancel) {
       editing.cancel(run);
       run = newRun("triangle");
@@ -161,7 +163,7 @@ function createPad(editing, current) {
     }
     if (!arrow || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    const by = STEP * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    const by = STEP * stride(event);
     const [x, y] = place();
     go([x + arrow[0] * by, y + arrow[1] * by * TALL]);
   });

@@ -17,6 +17,7 @@ import { only, within } from "../state/selection.js";
 import { originOf } from "../state/store.js";
 import { strings } from "../strings.js";
 import { splitView, viewAt } from "./document-view.js";
+import { words } from "./words.js";
 
 /**
  * Opens a document that has not been checked.
@@ -68,7 +69,7 @@ export async function openText(app, name, text, options) {
     try {
       raw = JSON.parse(text.replace(/^\ufeff/, ""));
     } catch (error) {
-      refuse(app, name, `${strings.errors.notJson} (${problem(error).message})`);
+      refuse(app, name, `${words.notJson} (${problem(error).message})`);
       return false;
     }
     if (isDocument(raw)) return openDocument(app, raw, name, { ...options, foreign: true });
@@ -116,7 +117,7 @@ export async function openFile(app, file, handle = null) {
  * @param {string} reason
  */
 export function refuse(app, name, reason) {
-  const text = strings.errors.open(name, reason.replace(/\.$/, ""));
+  const text = words.notOpened(name, reason.replace(/\.$/, ""));
   app.ui.set({ note: { tone: "error", text } });
   app.say(text);
 }

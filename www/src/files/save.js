@@ -6,11 +6,11 @@
  * @import { FileHandle } from "./file-system.js"
  */
 import { problem } from "../painter.js";
-import { strings } from "../strings.js";
 import { documentWithView } from "./document-view.js";
 import { download } from "./download.js";
 import { pickToSave, writeTo } from "./file-system.js";
 import { fileName } from "./names.js";
+import { words } from "./words.js";
 import { written } from "./written.js";
 
 /**
@@ -21,7 +21,7 @@ import { written } from "./written.js";
 export async function save(app) {
   const { document, origin } = app.store;
   if (origin.handle && (await changedOutside(origin))) {
-    tell(app, "error", strings.file.changedOutside(origin.handle.name));
+    tell(app, "error", words.changedOutside(origin.handle.name));
     return false;
   }
   const place = await write(app, origin.handle);
@@ -31,7 +31,7 @@ export async function save(app) {
     app.store.kept(document);
     void app.keeper.flush({ saved: true });
   }
-  tell(app, "plain", strings.file.saved(place.file));
+  tell(app, "plain", words.saved(place.file));
   return true;
 }
 
@@ -65,7 +65,7 @@ async function lastModified(handle) {
  */
 export async function saveCopy(app) {
   const place = await write(app, null);
-  if (place) tell(app, "plain", strings.file.copied(place.file));
+  if (place) tell(app, "plain", words.copied(place.file));
   return place !== null;
 }
 
@@ -87,7 +87,7 @@ async function write(app, known) {
     await writeTo(handle, blob);
     return { file: handle.name, handle, modified: await lastModified(handle) };
   } catch (error) {
-    tell(app, "error", strings.errors.save(known?.name ?? name, problem(error).message.replace(/\.$/, "")));
+    tell(app, "error", words.notSaved(known?.name ?? name, problem(error).message.replace(/\.$/, "")));
     return null;
   }
 }

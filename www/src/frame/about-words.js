@@ -2,7 +2,7 @@
 export const words = {
   heading: "About Directrix",
   version: (/** @type {string} */ version) => `Version ${version}`,
-  line: "Matching of closed curves, morphs and material blends. Nothing leaves your machine.",
+  line: "Curves that match, shapes that morph, materials that blend. Nothing leaves your machine.",
   own: "Directrix itself: MIT or Apache-2.0, at your choice.",
   parts: "What it is made of",
   loading: "Reading the licences",

@@ -3,7 +3,7 @@
  *
  * @import { App } from "../state/app.js"
  *
- * @typedef {{name: string, version: string, licence: string, text: string}} Part
+ * @typedef {{name: string, version: string, licence: string, text?: string, textOf?: number}} Part `textOf`: index of the part that has the same text
  */
 import "../../styles/about.css";
 import { h } from "../dom.js";
@@ -43,12 +43,12 @@ export async function openAbout(app) {
     return;
   }
   parts.replaceChildren(
-    ...list.map(({ name, version, licence, text }) =>
+    ...list.map(({ name, version, licence, text, textOf }) =>
       h(
         "details",
         { "data-part": name },
         h("summary", {}, h("span", {}, `${name} ${version}`), h("span", { class: "licence" }, licence)),
-        h("pre", { tabIndex: 0 }, text),
+        h("pre", { tabIndex: 0 }, text ?? list[textOf ?? -1]?.text),
       ),
     ),
   );

@@ -5,6 +5,7 @@
  */
 import { find } from "../dom.js";
 import { dropped } from "../files/file-system.js";
+import { words } from "../files/words.js";
 import { strings } from "../strings.js";
 
 /** @param {App} app */
@@ -37,7 +38,7 @@ export function listenToDrop(app) {
     const { openFile } = await import("../files/open.js");
     const opened = await openFile(app, file, await handle);
     if (!opened || count < 2) return;
-    const text = strings.import.onlyFirst(file.name, count);
+    const text = words.onlyFirst(file.name, count);
     app.ui.set({ note: { tone: "plain", text } });
     app.say(text);
   }

@@ -40,7 +40,8 @@ export const MODE_KEYS = [
     heading: "Hyperpatch",
     rows: [
       { text: "Next corner, corner before, from the picture", keys: ["PageDown", "PageUp"] },
-      { text: "Move the chosen corner along x and z", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Move the chosen corner along x and y", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
+      { text: "Raise and lower it along z", keys: ["Home", "End"] },
       { text: "Go round the body where no corner is chosen", keys: ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown"] },
       { text: "Choose nothing", keys: ["Escape"] },
     ],

@@ -6,13 +6,13 @@ import { h } from "../dom.js";
 import { strings } from "../strings.js";
 import { MODE_KEYS } from "./mode-keys.js";
 import { openPanel } from "./panel.js";
+import { TOPICS } from "./shortcut-words.js";
 
 export function openShortcuts() {
-  const topics = /** @type {(keyof typeof strings.topics)[]} */ (Object.keys(strings.topics));
   const body = [
-    ...topics.map((topic) =>
+    ...Object.entries(TOPICS).map(([topic, heading]) =>
       section(
-        strings.topics[topic],
+        heading,
         COMMANDS.filter((command) => command.topic === topic && command.keys).map(({ name, text, sheet, keys = [] }) =>
           entry(sheet ?? (typeof text === "string" ? text : ""), keys, name),
         ),

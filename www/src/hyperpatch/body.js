@@ -279,10 +279,10 @@ export function cornersOf({ surface, sharing }, isApart) {
 }
 
 /** @param {{cell: number, corner: readonly number[]}} side */
-export const cornerKey = ({ cell, corner }) => `${cell} ${corner.join("")}`;
+const cornerKey = ({ cell, corner }) => `${cell} ${corner.join("")}`;
 
 /** @param {{cell: number, axis: string, ends: readonly number[]}} side */
-export const edgeKey = ({ cell, axis, ends }) => `${cell} ${axis}${ends.join("")}`;
+const edgeKey = ({ cell, axis, ends }) => `${cell} ${axis}${ends.join("")}`;
 
 /**
  * @param {{positions: Float32Array, indices: Uint32Array, cells: Uint32Array, fractions: Float32Array}} mesh

@@ -80,7 +80,7 @@ export function nudgeOf(known) {
 }
 
 /** Cells from the worst on, and of those with one verdict by their numbers. @param {readonly CellVerdict[]} verdicts */
-export const worstFirst = (verdicts) =>
+const worstFirst = (verdicts) =>
   [...verdicts].sort((a, b) => WORST_FIRST.indexOf(a.verdict) - WORST_FIRST.indexOf(b.verdict) || a.cell - b.cell);
 
 /** @param {App} app @param {() => Now} now @param {Acts} acts @param {Part} part @returns {Group} */

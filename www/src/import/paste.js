@@ -4,7 +4,7 @@
  *
  * @import { App } from "../state/app.js"
  */
-import { strings } from "../strings.js";
+import { words } from "../files/words.js";
 
 /** @param {App} app */
 export function listenToPaste(app) {
@@ -24,7 +24,7 @@ export function listenToPaste(app) {
    */
   async function open(file, text) {
     const { openFile, openText } = await import("../files/open.js");
-    await (file ? openFile(app, file) : openText(app, strings.import.pasted, text));
+    await (file ? openFile(app, file) : openText(app, words.pasted, text));
   }
 }
 

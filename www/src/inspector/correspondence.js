@@ -11,7 +11,9 @@ import { currentMatch } from "../state/app.js";
 import { keptGaps, shownLines } from "../state/lines.js";
 import { Lane } from "../state/lane.js";
 import { lookedAt } from "../state/look.js";
-import { strings } from "../strings.js";
+import { words as matching } from "./matching-words.js";
+
+const words = matching.correspondence;
 
 /** Side of the plot in its own units. */
 const SIDE = 100;
@@ -21,7 +23,6 @@ const SIDE = 100;
  * @returns {{element: HTMLElement, render: () => void}}
  */
 export function createCorrespondence(app) {
-  const words = strings.correspondence;
   const identity = svg("path", { class: "identity" });
   const path = svg("path", { class: "pairs" });
   const kept = svg("path", { class: "kept" });

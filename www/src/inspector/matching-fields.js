@@ -21,7 +21,6 @@ import { currentMatch } from "../state/app.js";
 import { patch } from "../state/edits.js";
 import { hasLooks, isHarmonic } from "../state/look.js";
 import { choiceOf, CHOICES, choose, printAll, printRule, rulesOf, setLines } from "../state/methods.js";
-import { strings } from "../strings.js";
 import { editing } from "./edit.js";
 import { words } from "./matching-words.js";
 import { weight } from "./weight.js";
@@ -160,7 +159,7 @@ export function createMatchingFields(app) {
   const plot = h(
     "details",
     { class: "plot", "data-plot": "" },
-    h("summary", {}, symbol("v"), ` ${strings.correspondence.over} `, symbol("u")),
+    h("summary", {}, symbol("v"), ` ${words.correspondence.over} `, symbol("u")),
   );
   const correspondence = later(
     app,

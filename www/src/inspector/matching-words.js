@@ -1,7 +1,5 @@
 /** Words of the matching group. */
-
-/** @param {number} count @param {string} one @param {string} many */
-const plural = (count, one, many) => `${count} ${count === 1 ? one : many}`;
+import { plural } from "../strings.js";
 
 export const words = {
   method: "Method",
@@ -62,4 +60,14 @@ export const words = {
   lines: "Lines",
   oneToOne: "one to one",
   count: "Number of one-to-one lines",
+  /** The plot of v over u. */
+  correspondence: {
+    over: "over",
+    pairs: (/** @type {number} */ count) => plural(count, "one-to-one line", "one-to-one lines"),
+    lines: (/** @type {number} */ count) => plural(count, "line", "lines"),
+    off: (/** @type {string} */ share) => `up to ${share}\u00a0% off the diagonal`,
+    name: (/** @type {string} */ lines, /** @type {string} */ off, /** @type {number} */ gaps) =>
+      `Plot of v over u for ${lines}: v rises with u all round and departs from equal shares of the parameters by at most ${off} %` +
+      (gaps > 0 ? `; ${plural(gaps, "gap keeps", "gaps keep")} lines that share ends.` : "."),
+  },
 };

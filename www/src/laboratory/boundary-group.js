@@ -5,6 +5,7 @@
  * @import { Condition, Group } from "./document.js"
  * @import { By, ConditionKind } from "./edits.js"
  * @import { Bench, Picking } from "./state.js"
+ * @import { createPreview } from "./preview.js"
  */
 import { segment } from "../controls/choices.js";
 import { mixingControl } from "../controls/mixing.js";
@@ -19,6 +20,7 @@ import { mixed } from "../oklab.js";
 import { measure } from "../space/measure.js";
 import { addGroup, ANGLE, byOf, chosenBy, conditionOf, isFormula, kindOf, listOf, MOST_GROUPS, removeGroup, turnedOver, withFlux, withGroup, withRest } from "./edits.js";
 import { formulaField } from "./formula-field.js";
+import { diagnosticText } from "./status.js";
 import { words } from "./words.js";
 
 /** Largest coordinate and flux of the format. */
@@ -26,8 +28,12 @@ const FAR = 1e9;
 
 const text = words.boundary;
 
-/** @param {Bench} bench @returns {Panel} */
-export function boundaryGroup(bench) {
+/**
+ * @param {Bench} bench
+ * @param {ReturnType<typeof createPreview>} preview of the group that is dragged
+ * @returns {Panel}
+ */
+export function boundaryGroup(bench, preview) {
   const list = h("div", { class: "lab-groups", role: "group", "aria-label": text.list });
   const add = h("button", { type: "button", class: "push", "data-lab-add": "", onclick: addOne }, text.add);
   const faults = h("div", { class: "lab-faults" });
@@ -46,7 +52,7 @@ export function boundaryGroup(bench) {
   function rowsOf() {
     const { document, known, isCurrent } = bench.now();
     const sets = known && isCurrent ? known.boundary.sets : [];
-    return document.groups.map((group, index) => ({ group, set: sets[index] ?? null }));
+    return document.groups.map((group, index) => ({ group, set: sets[index] ?? null, count: preview.count(index) }));
   }
 
   return {
@@ -64,13 +70,13 @@ export function boundaryGroup(bench) {
         drawn = key;
         const focused = globalThis.document.activeElement instanceof HTMLElement ? globalThis.document.activeElement.dataset.labGroup : undefined;
         list.replaceChildren(
-          ...all.map(({ group, set }, index) =>
+          ...all.map(({ group, set, count }, index) =>
             h(
               "button",
               { type: "button", class: "lab-group", "data-lab-group": String(index), onclick: () => bench.change({ group: bench.now().shown.group === index ? null : index, picking: null }) },
               swatchOf(group.condition, document.materials),
               h("span", { class: "part-name" }, group.name),
-              h("span", { class: "number" }, set ? text.count(fixed(set.count, 0), lengthOf(set.measure, unit, power)) : ""),
+              h("span", { class: "number" }, set ? text.count(fixed(set.count, 0), lengthOf(set.measure, unit, power)) : count === null ? "" : fixed(count, 0)),
             ),
           ),
         );
@@ -79,11 +85,11 @@ export function boundaryGroup(bench) {
       for (const [index, button] of [...list.children].entries()) attribute(button, "aria-pressed", String(shown.group === index));
       add.disabled = document.groups.length >= MOST_GROUPS;
       const diagnostics = known && isCurrent ? known.boundary.diagnostics : [];
-      const faultKey = JSON.stringify([diagnostics, document.model.kind]);
+      const faultKey = JSON.stringify([diagnostics, document.groups.map((group) => group.name), document.model.kind]);
       if (faultKey !== told) {
         told = faultKey;
         const turn = document.model.kind === "mesh" && diagnostics.some(({ code }) => code === "inverted") ? [h("div", { class: "lab-acts" }, h("button", { type: "button", class: "push", "data-lab-turn": "", onclick: () => bench.commit(turnedOver) }, text.turn))] : [];
-        faults.replaceChildren(...diagnostics.map((each, nth) => h("p", { class: each.remark ? "lab-fault remark" : "lab-fault", "data-lab-fault": each.code, "data-nth": String(nth) }, each.message)), ...turn);
+        faults.replaceChildren(...diagnostics.map((each, nth) => h("p", { class: each.remark ? "lab-fault remark" : "lab-fault", "data-lab-fault": each.code, "data-nth": String(nth) }, diagnosticText(each, document.groups))), ...turn);
       }
       details.render();
       rest.render();
@@ -220,7 +226,7 @@ function createDetails(bench) {
   picking.element.classList.add("wide");
   const pick = h("button", { type: "button", class: "push", "data-lab-pick": "", onclick: () => bench.change({ picking: bench.now().shown.picking ? null : "direction" }) }, text.pick);
   const pickNote = h("p", { class: "lab-note" }, text.picking);
-  const pickRows = h("div", {}, picking.element, pickNote);
+  const pickRows = h("div", { class: "lab-picks" }, picking.element, pickNote);
   const element = h(
     "div",
     { class: "lab-details", "data-lab-details": "" },

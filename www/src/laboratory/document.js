@@ -72,6 +72,13 @@ export const isSameProblem = (a, b) =>
 /** Whether they are solved in the same way as well. @param {LaboratoryDocument} a @param {LaboratoryDocument} b */
 export const isSameSolution = (a, b) => isSameProblem(a, b) && JSON.stringify(a.solver) === JSON.stringify(b.solver);
 
+/**
+ * The materials that something known is painted in: their names and colours as they stand, unless there are more or fewer of them by now.
+ * @param {LaboratoryDocument} document as it stands
+ * @param {{document: LaboratoryDocument}} known
+ */
+export const paintedIn = ({ materials }, { document: { materials: before } }) => (materials.length === before.length ? materials : before);
+
 /** What the kernel takes of a boundary. @param {Boundary} boundary @param {Solver & {condition?: boolean}} solver */
 export const inputOf = ({ dimension, vertices, elements, groups, conditions }, solver) =>
   /** @type {import("../../../js/directrix.js").LaplaceInput} */ ({ dimension, vertices, elements, groups, conditions, composition: true, solver });

@@ -3,6 +3,7 @@
  *
  * @import { Condition, Group, LaboratoryDocument, Model, Solver, Where } from "./document.js"
  */
+import { boxRound } from "./box-edit.js";
 import { SOLVER } from "./document.js";
 import { dimensionOf } from "./models.js";
 
@@ -154,8 +155,8 @@ export function byOf({ direction, box, positive, elements }) {
  * @param {2 | 3} dimension
  * @returns {Where}
  */
-export function chosenBy(where, by, { min, max }, dimension) {
-  const { direction = [0, 1, 0].slice(0, dimension), angle = ANGLE, box = [min.slice(0, dimension), max.slice(0, dimension)] } = where;
+export function chosenBy(where, by, bounds, dimension) {
+  const { direction = [0, 1, 0].slice(0, dimension), angle = ANGLE, box = boxRound(bounds).map((corner) => corner.slice(0, dimension)) } = where;
   if (by === "positive") return { positive: where.positive ?? "1" };
   return { ...(by === "box" ? {} : { direction, angle }), ...(by === "direction" ? {} : { box }) };
 }

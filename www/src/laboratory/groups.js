@@ -17,6 +17,7 @@ import { select } from "../controls/select.js";
 import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
 import { fixed } from "../format.js";
+import { problem } from "../painter.js";
 import { fact } from "../space/card.js";
 import { measure, numberText } from "../space/measure.js";
 import { AXES } from "../space/section.js";
@@ -25,21 +26,27 @@ import { middleOf, scaled } from "../space/vector.js";
 import { MOST } from "./document.js";
 import { solverOf, withModel, withSolver } from "./edits.js";
 import { dimensionOf, isNamed, modelOf, MODELS, valueOf } from "./models.js";
+import { openStl, takeBody } from "./new-body.js";
 import { acrossOf, extentOf, flipped, placed, placeOf, through } from "./section-state.js";
-import { openStl } from "./stl-file.js";
 import { words } from "./words.js";
 
 /** Largest coordinate of the format, and steps of the slider of the plane. */
 const FAR = 1e9;
 const STEPS = 1000;
 
-/** @param {Bench} bench @returns {Group} */
+/**
+ * @param {Bench} bench
+ * @returns {Group & {open: (file: File) => Promise<{isOpen: boolean, text: string}>}} with opening an STL, which is told of beside its button
+ */
 export function modelGroup(bench) {
   const text = words.model;
   const kinds = select(
     { label: text.kind, name: "lab-model", choices: [...Object.keys(MODELS), "mesh"].map((value) => ({ value, text: text.kinds[value] })) },
     (kind) => {
-      if (kind !== "mesh") bench.commit((document) => (document.model.kind === kind ? document : withModel(document, modelOf(kind))));
+      const now = bench.now().document.model;
+      // Boxes and planes of a body of one's own are far from a named one.
+      if (now.kind === "mesh" && kind !== "mesh") void take(kind);
+      else if (kind !== "mesh") bench.commit((document) => (document.model.kind === kind ? document : withModel(document, modelOf(kind))));
       bench.request();
     },
   );
@@ -49,10 +56,14 @@ export function modelGroup(bench) {
   const file = h("input", { type: "file", accept: ".stl,model/stl", hidden: true, "aria-label": text.import, "data-lab-stl": "" });
   file.addEventListener("change", () => {
     const [chosen] = file.files ?? [];
-    if (chosen) void openStl(bench, chosen, tell);
+    if (chosen) void open(chosen);
     file.value = "";
   });
+  const told = h("p", { class: "lab-note lab-told", hidden: true, "data-lab-told": "" });
+  /** The body that what is told belongs to. @type {import("./document.js").Model | null} */
+  let toldOf = null;
   const button = h("button", { type: "button", class: "push", "data-lab-import": "", onclick: () => file.click() }, text.import);
+  const note = h("p", { class: "lab-note" }, text.importNote);
   /** @type {{[field: string]: {element: HTMLElement, error?: HTMLElement, set: (value: number) => void}}} */
   let made = {};
   let madeFor = "";
@@ -67,16 +78,40 @@ export function modelGroup(bench) {
     return { element: chosen.element, set: (/** @type {number} */ next) => chosen.set(String(next)) };
   }
 
-  /** @param {string | null} message why a file was refused */
-  function tell(message) {
-    error.hidden = message === null;
-    write(error, message ?? "");
+  /** @param {File} chosen */
+  async function open(chosen) {
+    const found = await openStl(bench, chosen);
+    tell(found.isOpen, found.text);
+    return found;
+  }
+
+  /** A named shape after one of the person's own. @param {string} kind */
+  async function take(kind) {
+    try {
+      const set = await takeBody(bench, modelOf(kind), text.kinds[kind]);
+      bench.app.say(set);
+      tell(true, set);
+    } catch (reason) {
+      tell(false, problem(reason).message);
+    }
+  }
+
+  /** @param {boolean} isTaken @param {string} message */
+  function tell(isTaken, message) {
+    error.hidden = isTaken;
+    write(error, isTaken ? "" : message);
+    if (isTaken) {
+      toldOf = bench.now().document.model;
+      write(told, message);
+    }
+    bench.request();
   }
 
   return {
     name: "model",
     heading: text.heading,
-    body: h("div", {}, row(text.kind, kinds), fields, facts, h("div", { class: "lab-acts" }, button, file), error, h("p", { class: "lab-note" }, text.importNote)),
+    body: h("div", {}, row(text.kind, kinds), fields, facts, h("div", { class: "lab-acts" }, button, file), error, told, note),
+    open,
     phrase() {
       const { document, known } = bench.now();
       const name = text.kinds[document.model.kind] ?? "";
@@ -96,6 +131,8 @@ export function modelGroup(bench) {
         fields.replaceChildren(...all.map(({ name }) => row(text.fields[name], made[name])));
       }
       for (const field of all) made[field.name].set(valueOf(model, field));
+      told.hidden = model !== toldOf;
+      note.hidden = !told.hidden;
       facts.classList.toggle("stale", !isCurrent);
       if (!known) return;
       const { count } = known.mesh;

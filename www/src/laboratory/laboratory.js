@@ -24,16 +24,19 @@ import { moveOf } from "../space/keys.js";
 import { createStand, followSize, isElsewhere, whereDrawn } from "../space/stand.js";
 import { isOf } from "../state/kind.js";
 import { strings } from "../strings.js";
+import { createBoxMoves } from "./box-moves.js";
 import { boundaryGroup } from "./boundary-group.js";
 import { isSameSolution, laboratoryOf } from "./document.js";
 import { createFace } from "./face.js";
 import { displayGroup, modelGroup, sectionGroup, solverGroup } from "./groups.js";
 import { createLegend } from "./legend.js";
 import { materialsGroup } from "./materials-group.js";
+import { isStl } from "./new-body.js";
 import { createPainting } from "./painting.js";
 import { createPicker } from "./picker.js";
 import { offer } from "./picture.js";
 import { createPlaneStage } from "./plane-stage.js";
+import { createPreview } from "./preview.js";
 import { createReader } from "./reader.js";
 import { createRunner } from "./runner.js";
 import { acrossOf, extentOf, planeOf, placed, placeOf } from "./section-state.js";
@@ -41,7 +44,6 @@ import { leave, leftOf } from "./seen.js";
 import { createSpaceView } from "./space-view.js";
 import { FIRST_SHOWN, withoutGone } from "./state.js";
 import { renderStatus, summaryOf } from "./status.js";
-import { isStl, openStl } from "./stl-file.js";
 import { fixed } from "../format.js";
 import { words } from "./words.js";
 
@@ -70,11 +72,15 @@ function openWorkbench(app, { stage, aside }) {
   /** Why the document cannot be read. @type {string | null} */
   let reason = null;
   let isLost = false;
+  /** A body has taken the place of another, and is not seen yet. */
+  let isAnew = false;
   /** The opening of a document that is shown as it was left. */
   let framed = "";
   /** The one that the camera was fitted to. */
   let fittedTo = "";
   let spoken = "";
+  /** What was said of the last edit, and the document that it led to. @type {{text: string, of: import("./document.js").LaboratoryDocument} | null} */
+  let lead = null;
   const status = find("#status");
   const over = new AbortController();
 
@@ -106,6 +112,10 @@ function openWorkbench(app, { stage, aside }) {
       request();
     },
     takeBack: (run) => void store.cancel(run),
+    seeAnew() {
+      isAnew = true;
+      bench.change({ look: "solution", group: null, picking: null });
+    },
     request,
   };
 
@@ -115,6 +125,14 @@ function openWorkbench(app, { stage, aside }) {
     request();
   });
   const picker = createPicker(bench);
+  const preview = createPreview(bench);
+  const box = createBoxMoves(bench, preview, {
+    begun: () => view?.readMiddle(false),
+    told(text) {
+      lead = { text, of: laboratoryOf(app) };
+      app.say(text);
+    },
+  });
   const view = whereDrawn(() =>
     createSpaceView(app, {
       plane: {
@@ -129,6 +147,7 @@ function openWorkbench(app, { stage, aside }) {
           app.say(sectionText());
         },
       },
+      box: box.moves,
       read: (place, at, isCross) => reader.read(shown.picking ? null : place, at, ui.value.size, isCross),
       speak: () => reader.speak(),
       tap: (place) => picker.tap(place),
@@ -140,8 +159,8 @@ function openWorkbench(app, { stage, aside }) {
       },
     }),
   );
-  const painting = createPainting(bench, view, () => face.latest);
-  const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, signal: over.signal });
+  const painting = createPainting(bench, view, () => face.latest, preview);
+  const plane = createPlaneStage(bench, { read: reader.read, speak: reader.speak, tap: picker.tap, face: () => face.latest, box: box.moves, preview, signal: over.signal });
   offer({
     get size() {
       return ui.value.size;
@@ -183,8 +202,8 @@ function openWorkbench(app, { stage, aside }) {
   const groupsAt = h("div", { class: "bench-groups lab-panels groups" });
   aside.append(groupsAt);
   const acts = { look: (/** @type {any} */ direction) => view?.look(direction), back: () => view?.back ?? /** @type {import("../space/vector.js").Vector} */ ([0, -1, 0]), face: () => face.latest };
-  const section = sectionGroup(bench, acts);
-  const groups = createGroups(groupsAt, words.region, [modelGroup(bench), boundaryGroup(bench), section, solverGroup(bench), materialsGroup(bench), displayGroup(bench, acts)], {
+  const [model, section] = [modelGroup(bench), sectionGroup(bench, acts)];
+  const groups = createGroups(groupsAt, words.region, [model, boundaryGroup(bench, preview), section, solverGroup(bench), materialsGroup(bench), displayGroup(bench, acts)], {
     read: () => memory,
     write(patch) {
       memory = { ...memory, ...patch };
@@ -244,6 +263,12 @@ function openWorkbench(app, { stage, aside }) {
     return plane ? words.section.value(acrossOf(plane), fixed(placeOf(plane), 2)) : words.section.off;
   };
 
+  /** What the face shows: while the same body is solved anew, the solution before it stays in sight. */
+  function solvedOf() {
+    const isWorking = known !== null && !known.solution && known.boundary.ready && !known.unsolved;
+    return isWorking && face.latest?.of.mesh === known?.mesh ? (face.latest?.of ?? null) : known;
+  }
+
   /** Whether a place of the plane is inside, as the pixels of its face have it. @param {import("../space/vector.js").Vector} point */
   function isInside(point) {
     const found = face.latest;
@@ -263,7 +288,9 @@ function openWorkbench(app, { stage, aside }) {
     const text = summaryOf(bench);
     if (store.running || !bench.now().isCurrent || (!known?.solution && known?.boundary.ready && !known.unsolved) || text === spoken) return;
     spoken = text;
-    app.say(text);
+    // What was said of the edit itself is not cut off by what came of it.
+    app.say(lead && lead.of === known?.document ? words.spoken.both(lead.text, text) : text);
+    lead = null;
   }
 
   /** Shows a place that is wrong. @param {readonly number[]} place */
@@ -293,7 +320,13 @@ function openWorkbench(app, { stage, aside }) {
   /** Fits the camera to a body that was not seen before. */
   function fit() {
     const { name } = store.origin;
-    if (!view || !known?.mesh.soup || fittedTo === name || !bench.now().isCurrent) return;
+    if (!view || !known?.mesh.soup || !bench.now().isCurrent) return;
+    if (isAnew) {
+      isAnew = false;
+      fittedTo = name;
+      view.fit(STANDARD.iso);
+    }
+    if (fittedTo === name) return;
     fittedTo = name;
     const seen = leftOf(app, name);
     if (seen?.camera) view.restore(seen.camera);
@@ -336,7 +369,7 @@ function openWorkbench(app, { stage, aside }) {
     painting.boundary();
     fit();
     if (isSpace) resize();
-    face.request(bench.now().isCurrent || (known?.solution && store.running) ? known : known?.solution ? known : null, document.section ?? null);
+    face.request(solvedOf(), document.section ?? null);
     painting.face();
     if (view) {
       attribute(view.canvas, "aria-label", words.picture(document.title, summaryOf(bench)));
@@ -344,6 +377,8 @@ function openWorkbench(app, { stage, aside }) {
       if (document.section && way) view.mark.describe(sectionText(), placeOf(document.section), way);
     }
     if (!isSpace) plane.render();
+    const describe = box.describe();
+    if (describe) (isSpace ? view : plane)?.describeBox(describe);
     legend.render();
     groups.render();
     solversAt.hidden = shown.look !== "solvers";
@@ -368,6 +403,7 @@ function openWorkbench(app, { stage, aside }) {
     } else if (shown.look === "solvers") return;
     else if (letter === "p" && shown.group !== null) bench.change({ picking: shown.picking ? null : "direction" });
     else if (event.key === "Escape" && shown.picking) bench.change({ picking: null });
+    else if (event.key === "Escape" && shown.group !== null && known?.mesh.soup === null) leaveGroup(event, plane.focus);
     else if (known?.mesh.soup === null) {
       const command = commandOf(event);
       if (command?.topic !== "view") return;
@@ -376,6 +412,12 @@ function openWorkbench(app, { stage, aside }) {
       if (!keyInSpace(event, isOnPicture, view)) return;
     } else return;
     event.preventDefault();
+  }
+
+  /** No group is chosen any more, and with it go the handles of its box. @param {KeyboardEvent} event @param {() => void} focus of the picture */
+  function leaveGroup(event, focus) {
+    if (event.target instanceof Element && event.target.closest(".box-handles")) focus();
+    bench.change({ group: null });
   }
 
   /**
@@ -391,7 +433,7 @@ function openWorkbench(app, { stage, aside }) {
     else if (event.key === "Enter" && isOnPicture) {
       seen.readMiddle(true);
       if (shown.picking) picker.tap(seen.middle);
-    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) bench.change({ group: null });
+    } else if (event.key === "Escape" && (seen.readMiddle(false) || shown.group !== null)) leaveGroup(event, () => keyboard.focus({ preventScroll: true }));
     else return false;
     return true;
   }
@@ -405,7 +447,8 @@ function openWorkbench(app, { stage, aside }) {
       event.preventDefault();
       event.stopImmediatePropagation();
       find("#drop").hidden = true;
-      void openStl(bench, dropped, (text) => ui.set({ note: text === null ? null : { tone: "error", text } }));
+      // The group Body may be closed.
+      void model.open(dropped).then(({ isOpen, text }) => ui.set({ note: isOpen ? null : { tone: "error", text } }));
     },
     { signal: over.signal, capture: true },
   );

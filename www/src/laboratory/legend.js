@@ -35,11 +35,13 @@ export function createLegend(bench) {
       /** @returns {Node[]} */
       function blend() {
         if (materials.length === 2) return [strip(/** @type {any} */ (document), 0, 1), scale([0, 0.5, 1].map(percent))];
+        const names = list(materials, materials.map((_, k) => k), false);
         if (materials.length === 3) {
           colors.draw(materials.map((each) => each.color));
-          return [corners(materials, colors.element)];
+          // A phone has no room for the triangle.
+          return [corners(materials, colors.element), h("div", { class: "lab-instead" }, names)];
         }
-        return [list(materials, materials.map((_, k) => k), false)];
+        return [names];
       }
     },
   };

@@ -3,6 +3,8 @@
  *
  * @import { Point } from "../types.js"
  * @import { Face } from "./face.js"
+ * @import { BoxMoves } from "../space/box-mark.js"
+ * @import { createPreview } from "./preview.js"
  * @import { Place } from "./reader.js"
  * @import { Bench } from "./state.js"
  */
@@ -12,7 +14,10 @@ import { listenToGestures } from "../stage/gestures.js";
 import { put } from "../stage/mark.js";
 import { createZoom } from "../stage/zoom.js";
 import { toPlane, toScreen } from "../view.js";
+import { paintedIn } from "./document.js";
 import { elementColors } from "./element-colors.js";
+import { drawnBox } from "./box-edit.js";
+import { createPlaneBox } from "./plane-box.js";
 import { createPlaneView } from "./plane-view.js";
 import { colorsOf, levelLines, LEVELS } from "./pixels.js";
 import { summaryOf } from "./status.js";
@@ -32,9 +37,11 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], Arrow
  * @param {() => void} acts.speak
  * @param {(place: Place | null) => void} acts.tap
  * @param {() => Face | null} acts.face
+ * @param {BoxMoves} acts.box what moving the sides of a box does
+ * @param {ReturnType<typeof createPreview>} acts.preview of the group that is dragged
  * @param {AbortSignal} acts.signal
  */
-export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
+export function createPlaneStage(bench, { read, speak, tap, face, box: moves, preview, signal }) {
   const { app } = bench;
   const { ui } = app;
   const picture = createPlaneView();
@@ -42,7 +49,8 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
   const keyboard = h("div", { class: "part-keys", tabIndex: 0, role: "application", "aria-label": words.keyboard, "aria-describedby": help.id, "data-lab-plane-keys": "" });
   const fault = svg("g", { class: "part-witness" }, svg("path", { class: "under", d: "M-6 -6 6 6M6 -6-6 6" }), svg("path", { d: "M-6 -6 6 6M6 -6-6 6" }));
   const marks = svg("svg", { class: "marks lab-marks", "aria-hidden": "true" }, fault);
-  const element = h("div", { class: "lab-plane" }, picture.canvas, picture.over, /** @type {any} */ (marks), keyboard, help);
+  const box = createPlaneBox(moves);
+  const element = h("div", { class: "lab-plane" }, picture.canvas, picture.over, /** @type {any} */ (marks), keyboard, ...box.nodes, help);
   /** A place that is wrong. @type {readonly number[] | null} */
   let witness = null;
   const scale = h("div", { class: "scale", "aria-hidden": "true" });
@@ -120,12 +128,13 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
   /** The pixels and lines of the face, made once. @param {Face} found */
   function sheetOf(found) {
     const { document, shown } = bench.now();
-    const of = [found.values, document.materials, shown.isolines];
+    const materials = paintedIn(document, found.of);
+    const of = [found.values, materials, shown.isolines];
     if (!made || of.some((each, k) => each !== made?.of[k])) {
       const { size, values, frame } = found;
-      const lines = shown.isolines === null ? [] : LEVELS.flatMap((level) => levelLines(values[/** @type {number} */ (shown.isolines)], size, level));
+      const lines = shown.isolines === null || !values[shown.isolines] ? [] : LEVELS.flatMap((level) => levelLines(values[/** @type {number} */ (shown.isolines)], size, level));
       const placed = lines.map((at, k) => frame.origin[k % 2] + ((at + 0.5) / size[k % 2]) * frame.sides[k % 2][k % 2]);
-      made = { of, pixels: colorsOf(found, document.materials, true), lines: placed };
+      made = { of, pixels: colorsOf(found, materials, true), lines: placed };
     }
     return made;
   }
@@ -146,6 +155,10 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
       const found = face();
       const own = found && !found.of.mesh.soup ? found : null;
       const sheet = own && sheetOf(own);
+      const dragged = preview.boundary;
+      const boundary = dragged ?? known.boundary;
+      const chosen = shown.group === null || shown.picking ? undefined : document.groups[shown.group]?.where.box;
+      box.render(chosen?.[0].length === 2 ? drawnBox(chosen, known.mesh.bounds) : null, view, size);
       picture.draw({
         view,
         size,
@@ -153,10 +166,10 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
         hasGrid: ui.value.layers.includes("grid"),
         sheet: own && sheet ? { pixels: sheet.pixels, size: own.size, box: [[min[0], min[1]], [max[0], max[1]]] } : null,
         mesh: known.mesh,
-        boundary: known.boundary,
-        colorOf: elementColors(known.boundary, document.materials, shown.color === "solved" ? known.solution : null),
-        isChosen: (each) => shown.group !== null && known.boundary.members[each] === shown.group,
-        isWrong: (each) => known.boundary.groups[each] >= known.boundary.conditions.length,
+        boundary,
+        colorOf: elementColors(boundary, paintedIn(document, known), shown.color === "solved" ? known.solution : null),
+        isChosen: (each) => shown.group !== null && boundary.members[each] === shown.group,
+        isWrong: (each) => !dragged && boundary.groups[each] >= boundary.conditions.length,
         edges: shown.edges,
         isolines: sheet?.lines ?? [],
       });
@@ -165,6 +178,8 @@ export function createPlaneStage(bench, { read, speak, tap, face, signal }) {
       zoom.render();
     },
     picture: picture.picture,
+    describeBox: box.describe,
+    focus: () => keyboard.focus({ preventScroll: true }),
     /** Marks a place that is wrong. @param {readonly number[] | null} place */
     witness(place) {
       witness = place;

@@ -14,6 +14,7 @@ import { entry, fractionBar, NOTHING, placeCard } from "../space/card.js";
 import { numberText } from "../space/measure.js";
 import { put } from "../stage/mark.js";
 import { Lane } from "../state/lane.js";
+import { decimalsOf } from "./box-edit.js";
 import { mixOf } from "./pixels.js";
 import { words } from "./words.js";
 
@@ -148,9 +149,10 @@ function content(bench, reading) {
   const error = errorOf(reading);
   const dimension = known?.boundary.dimension ?? 3;
   const group = element === null || !known ? null : known.boundary.names[known.boundary.groups[element]];
+  const decimals = known ? decimalsOf(known.mesh.bounds, 3, 1) : 3;
   const present = (fractions ?? []).flatMap((fraction, i) => (Math.abs(fraction) < NOTHING ? [] : [{ i, fraction }]));
   return [
-    h("div", { class: "probe-head" }, h("strong", { class: "number" }, point.slice(0, dimension).map((value) => fixed(value, 3)).join(", ")), h("span", {}, element === null ? words.card.inside : words.card.element(element))),
+    h("div", { class: "probe-head" }, h("strong", { class: "number" }, point.slice(0, dimension).map((value) => fixed(value, decimals)).join(", ")), h("span", {}, element === null ? words.card.inside : words.card.element(element))),
     ...(group ? [entry(words.card.group, group)] : []),
     ...(fractions ? [fractionBar(fractions, materials)] : []),
     ...present.slice(0, NAMED).map(({ i, fraction }) => entry(materials[i]?.name ?? "", `${fixed(fraction, 4)}`)),

@@ -3,9 +3,10 @@
  *
  * @import { App } from "../state/app.js"
  * @import { PictureWanted } from "../files/picture-rows.js"
+ * @import { BoxMoves, Side } from "../space/box-mark.js"
  * @import { PlaneMoves } from "../space/plane-mark.js"
  * @import { Plane } from "../space/plane.js"
- * @import { Vector } from "../space/vector.js"
+ * @import { Bounds, Vector } from "../space/vector.js"
  * @import { Point } from "../types.js"
  * @import { Place } from "./reader.js"
  * @import { Mesh, Shown } from "./state.js"
@@ -13,15 +14,17 @@
  * @typedef {object} Picture What is drawn.
  * @property {Mesh} mesh
  * @property {Plane | null} plane with what it keeps on the side of its normal
+ * @property {Bounds | null} box by which the chosen group picks elements, as it is drawn
  * @property {Readonly<Shown>} shown
  * @property {"light" | "dark"} theme
  */
 import { svg } from "../dom.js";
 import { put } from "../stage/mark.js";
+import { BoxMark } from "../space/box-mark.js";
 import { rayAt, seenAt } from "../space/camera.js";
 import { firstHit } from "../space/pick.js";
 import { add, cornersOf, dot, scaled } from "../space/vector.js";
-import { createViewer } from "../space/viewer.js";
+import { ACCENT, createViewer } from "../space/viewer.js";
 import { LaboratoryScene } from "./scene.js";
 import { words } from "./words.js";
 
@@ -34,6 +37,7 @@ const CANVAS = { light: "#ffffff", dark: "#0e0f12" };
  * @param {App} app
  * @param {object} options
  * @param {PlaneMoves} options.plane what moving the plane of the section does
+ * @param {BoxMoves} options.box what moving the sides of a box does
  * @param {(place: Place | null, at: Point | null, isCross: boolean) => void} options.read a place is pointed at; null for none
  * @param {() => void} options.speak says what is read in the middle
  * @param {(place: Place | null) => void} options.tap
@@ -42,7 +46,7 @@ const CANVAS = { light: "#ffffff", dark: "#0e0f12" };
  * @param {(isLost: boolean) => void} options.oncontext
  * @throws {import("../space/space.js").NoWebGl}
  */
-export function createSpaceView(app, { plane, read, speak, tap, isInside, rested, oncontext }) {
+export function createSpaceView(app, { plane, box: moves, read, speak, tap, isInside, rested, oncontext }) {
   const { spoken, show } = words;
   const said = { handle: words.section.handle, ...spoken, view: (/** @type {keyof typeof show.viewsLong} */ view) => show.viewsLong[view] };
   /** @type {Picture | null} */
@@ -53,6 +57,8 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
       if (!picture) return null;
       scene.look(picture.shown, picture.theme, space);
       scene.stand(viewer.isAbove, picture.plane !== null);
+      box.look(ACCENT[picture.theme], space.pixelDepth);
+      box.place(space.camera, space.frame);
       put(fault, witness && seenAt(space.camera, space.frame, /** @type {Vector} */ (witness)).at);
       return picture.theme;
     },
@@ -63,8 +69,10 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
       speak();
     },
     tap: (at) => tap(placeAt(at)),
-    hull: () => (picture ? cornersOf(picture.mesh.bounds) : []),
+    // With the frame of the section, which would lie over the words above the body.
+    hull: () => (picture ? [...cornersOf(picture.mesh.bounds), ...mark.corners] : []),
     box: () => picture?.mesh.bounds ?? null,
+    reach: () => box.corners,
     rested,
     plane,
     oncontext,
@@ -75,6 +83,8 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
   /** A place that is wrong. @type {readonly number[] | null} */
   let witness = null;
   const scene = new LaboratoryScene(space);
+  const box = new BoxMark(words.box.label, moves);
+  space.add(...box.objects);
 
   /** What is seen first: of the boundary or of the face of the section. @param {Point} at @returns {Place | null} */
   function placeAt(at) {
@@ -89,9 +99,11 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
 
   return {
     canvas: viewer.canvas,
-    overlays: [marks, mark.overlay, mark.handle],
+    overlays: [marks, mark.overlay, mark.handle, box.overlay, box.handles],
     triad: viewer.triad,
     mark,
+    /** Says of each side of the box where it stands. @param {(side: Side) => {text: string, now: number, extent: readonly number[]}} of */
+    describeBox: (of) => box.describe(of),
     scene,
     resize: viewer.resize,
     fit: viewer.fit,
@@ -124,14 +136,16 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
     /** @param {Picture} next */
     set(next) {
       const [isNew, isMoved] = [next.mesh !== picture?.mesh, JSON.stringify(next.plane) !== JSON.stringify(picture?.plane)];
+      const isBoxMoved = JSON.stringify(next.box) !== JSON.stringify(picture?.box);
       const isElsewhere = picture !== null && JSON.stringify(next.mesh.bounds) !== JSON.stringify(picture.mesh.bounds);
       picture = next;
       if (isNew) scene.set(next.mesh);
       if (isNew || isMoved) {
         scene.cut(next.plane);
         mark.set(next.plane, next.mesh.soup?.positions ?? []);
-        viewer.bound();
       }
+      if (isBoxMoved) box.set(next.box);
+      if (isNew || isMoved || isBoxMoved) viewer.bound();
       // A body of another size is seen as a whole, from where the last one was seen.
       if (isElsewhere) viewer.fit();
       viewer.request();
@@ -149,6 +163,7 @@ export function createSpaceView(app, { plane, read, speak, tap, isInside, rested
     },
     close() {
       scene.dispose();
+      box.dispose();
       viewer.close();
     },
   };

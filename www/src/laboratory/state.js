@@ -58,6 +58,7 @@
  * @property {(change: (document: LaboratoryDocument) => LaboratoryDocument, run?: string) => void} commit an edit; edits of one run are one entry of the log
  * @property {() => void} endRun
  * @property {(run: string) => void} takeBack
+ * @property {() => void} seeAnew a body has taken the place of another: nothing is chosen, and it is seen as a body is first seen
  * @property {() => void} request everything is drawn again
  */
 

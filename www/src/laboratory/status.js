@@ -11,6 +11,7 @@ import { icon } from "../icons.js";
 import { fillStatus } from "../modes/status-line.js";
 import { numberText } from "../space/measure.js";
 import { strings } from "../strings.js";
+import { solverOf } from "./edits.js";
 import { words } from "./words.js";
 
 /** Below this a share of the flux counts as rounding. */
@@ -19,8 +20,19 @@ const SPREAD = 1e-6;
 /** What keeps a problem from being solved. @param {Known} known */
 export const faultsOf = ({ boundary }) => boundary.diagnostics.filter(({ remark }) => !remark);
 
-/** A fault in a few words. @param {ReturnType<typeof faultsOf>[number]} fault */
-const faultText = ({ code, count, message }) => (words.faults[code] && count ? words.faults[code](count) : message);
+/**
+ * What is said of a boundary, after the name of the group that it is about where the message has none.
+ * @param {Known["boundary"]["diagnostics"][number]} diagnostic
+ * @param {readonly {name: string}[]} groups
+ */
+export function diagnosticText({ code, path, message }, groups) {
+  const [, index, rest] = /^(?:groups\[(\d+)\]|(rest)\b)/.exec(path) ?? [];
+  const name = rest ? words.boundary.rest : groups[Number(index ?? -1)]?.name;
+  return name && code !== "conflict" ? words.boundary.about(name, message) : message;
+}
+
+/** A fault in a few words. @param {ReturnType<typeof faultsOf>[number]} fault @param {Known} known */
+const faultText = (fault, { document }) => (words.faults[fault.code] && fault.count ? words.faults[fault.code](fault.count) : diagnosticText(fault, document.groups));
 
 /** The last entry of the largest list of residuals. @param {readonly ArrayLike<number>[]} residuals */
 const lastOf = (residuals) => Math.max(0, ...residuals.map((list) => list[list.length - 1] ?? 0));
@@ -47,7 +59,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
                 ? h("span", { class: "verdict" }, /** @type {any} */ (icon("check")), h("span", { class: "strong" }, words.status.verified))
                 : h("span", { class: "item verdict failed" }, words.status.notConverged(Math.max(...solution.iterations))),
               count(),
-              Math.max(...solution.iterations) > 0 ? item("iterations", strong(solution.iterations.join(" + ")), label(words.status.iterations)) : item("iterations", label(words.status.lu)),
+              known && solverOf(known.document).method === "gmres" ? item("iterations", strong(solution.iterations.join(" + ")), label(words.status.iterations)) : item("iterations", label(words.status.lu)),
               item("residual", label(words.status.residual), strong(numberText(lastOf(solution.residuals)))),
               item("closure", label(words.status.closure), strong(numberText(solution.closure))),
               item("balance", label(words.status.balance), strong(numberText(Math.max(...solution.fluxBalance.map(Math.abs))))),
@@ -55,7 +67,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
               known?.accuracy && item("error", label(words.status.error), strong(numberText(known.accuracy.error))),
               item("ms", strong(milliseconds(solution.times.assembly + solution.times.solve)), label(words.status.ms)),
             ].filter((node) => node !== null && node !== undefined)
-          : [label(words.loading)];
+          : [label(words.loading), ...(known ? [count()] : [])];
   fillStatus(element, verdict, /** @type {Node[]} */ (left), remark());
 
   function count() {
@@ -66,7 +78,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
   /** @param {ReturnType<typeof faultsOf>[number]} fault */
   function problemOf(fault) {
     const { code, place } = fault;
-    const text = faultText(fault);
+    const text = faultText(fault, /** @type {Known} */ (known));
     if (!place) return h("span", { class: "item verdict failed" }, text);
     return h("span", { class: "item verdict failed" }, h("button", { type: "button", class: "failed", title: words.status.show, "data-problem": code, onclick: () => show(place) }, text));
   }
@@ -74,7 +86,7 @@ export function renderStatus(bench, element, { reason, face, cancel, retry, show
   /** @returns {(Node | null)[]} */
   function remark() {
     const { note } = bench.app.ui.value;
-    if (bench.app.results.value.slow) return [label(words.loading), command("cancel", words.cancel, cancel)];
+    if (bench.app.results.value.slow) return [...(solution ? [label(words.loading)] : []), command("cancel", words.cancel, cancel)];
     if (note?.tone === "error") return [h("span", { class: "failed reason" }, note.text), note.text === strings.errors.trap ? command("retry", words.tryAgain, retry) : null];
     if (note) return [label(note.text), note.text === words.cancelled ? command("retry", words.tryAgain, retry) : null];
     return [solution && solution.imbalance > SPREAD ? h("span", { class: "warning" }, words.status.imbalance(numberText(solution.imbalance))) : null];
@@ -90,7 +102,7 @@ export function summaryOf(bench) {
   return words.spoken.summary([
     (boundary.dimension === 2 ? words.kinds.plane : words.kinds.space)[0],
     `${fixed(mesh.count, 0)} ${words.status.elements(mesh.count, boundary.dimension)}`,
-    ...faults.slice(0, 2).map(faultText),
+    ...faults.slice(0, 2).map((fault) => faultText(fault, known)),
     ...(known.unsolved ? [known.unsolved] : []),
     ...(solution ? [solution.converged ? words.status.verified : words.status.notConverged(Math.max(...solution.iterations)), `${words.status.residual} ${numberText(lastOf(solution.residuals))}`] : []),
     ...(accuracy ? [`${words.status.error} ${numberText(accuracy.error)}`] : []),

@@ -1,4 +1,8 @@
-/** What a person reads in the solver laboratory. */
+/**
+ * What a person reads in the solver laboratory.
+ *
+ * @import { Side } from "../space/box-mark.js"
+ */
 
 const elements = (/** @type {number} */ count, /** @type {2 | 3} */ dimension) =>
   dimension === 3 ? (count === 1 ? "triangle" : "triangles") : count === 1 ? "segment" : "segments";
@@ -55,12 +59,24 @@ export const words = {
     none: "none",
     import: "Import STL…",
     importNote: "A closed STL of your own, binary or text. It can be dropped on the picture as well.",
-    imported: (/** @type {string} */ name, /** @type {number} */ count) => `${name}: ${count} triangles`,
+    imported: (/** @type {string} */ name, /** @type {string} */ count, /** @type {string} */ told) => `${name}: ${count} triangles. ${told}`,
+    tooLarge: (/** @type {number} */ size, /** @type {number} */ most) => `it has ${size} MiB; expected at most ${most}`,
     refused: (/** @type {string} */ name, /** @type {string} */ reason) => `${name} was not opened: ${reason}`,
     count: "Elements",
     size: (/** @type {2 | 3} */ dimension) => (dimension === 3 ? "Volume" : "Area"),
     elements,
     phrase: (/** @type {string} */ name, /** @type {string} */ count, /** @type {string} */ what) => `${name} · ${count} ${what}`,
+  },
+
+  first: {
+    /** The ends of a body along x, y and z. */
+    ends: [
+      ["left end", "right end"],
+      ["front end", "back end"],
+      ["lower end", "upper end"],
+    ],
+    two: (/** @type {string[][]} */ ends) => `A first problem is set: ${ends.map(([material, end]) => `${material} at the ${end}`).join(", ")}, everything else insulated. Undo brings the former body back.`,
+    one: (/** @type {string} */ material) => `A first problem is set: ${material} everywhere. Undo brings the former body back.`,
   },
 
   boundary: {
@@ -70,6 +86,7 @@ export const words = {
     add: "Add group",
     name: "Name",
     group: (/** @type {number} */ nth) => `group ${nth}`,
+    about: (/** @type {string} */ name, /** @type {string} */ message) => `${name}: ${message}`,
     remove: "Delete group",
     turn: "Turn all triangles over",
     condition: "Condition",
@@ -95,6 +112,14 @@ export const words = {
     phrase: (/** @type {number} */ count) => (count === 1 ? "1 group" : `${count} groups`),
     none: "Tap a group to change it.",
     axes: ["x", "y", "z"],
+  },
+
+  box: {
+    label: (/** @type {Side} */ { axis, end }) => `Box, ${"xyz"[axis]} ${end === "min" ? "from" : "to"}`,
+    value: (/** @type {Side} */ { axis, end }, /** @type {string} */ place) => `${"xyz"[axis]} ${end === "min" ? "from" : "to"} ${place}`,
+    /** `count`: elements of the group; null where that is not known yet. */
+    said: (/** @type {Side} */ side, /** @type {string} */ place, /** @type {number | null} */ count) =>
+      `${words.box.value(side, place)}${count === null ? "" : `, ${words.boundary.picked(count)}`}`,
   },
 
   solver: {
@@ -192,6 +217,7 @@ export const words = {
     turned: (/** @type {string} */ azimuth, /** @type {string} */ elevation) => `Seen from ${azimuth}°, ${elevation}° above`,
     nothing: "Nothing of the problem here",
     reading: (/** @type {string[]} */ parts) => parts.join(", "),
+    both: (/** @type {string} */ first, /** @type {string} */ second) => `${first}. ${second}`,
     summary: (/** @type {string[]} */ parts) => `${parts.join(", ")}.`,
   },
 

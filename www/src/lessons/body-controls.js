@@ -32,9 +32,9 @@
 import { segment } from "../controls/choices.js";
 import { numberField } from "../controls/number-field.js";
 import { select } from "../controls/select.js";
-import { slider } from "../controls/slider.js";
-import { attribute, h, write } from "../dom.js";
+import { h } from "../dom.js";
 import { fixed } from "../format.js";
+import { label as named, parameter } from "./parameter.js";
 import { words } from "./words-body.js";
 
 /** Steps of the sliders of parameters and fractions, and of a twist in degrees; most halvings of a cell. */
@@ -55,25 +55,15 @@ export function createBodyControls(figure, reading, acts) {
   /**
    * @param {string} name
    * @param {string} label
-   * @param {Node | string} shown
+   * @param {Node} shown
    * @param {{max: number, step: number, text: (value: number) => string}} range
    * @param {(value: number) => void} change
    */
   const labelled = (name, label, shown, { max, step, text }, change) => {
-    const control = slider({ label, name: `lesson-${name}`, min: 0, max, step }, { change });
-    const value = h("span", { class: "number strong" });
-    return {
-      row: h("div", { class: "cell-parameter" }, shown, control.element, value),
-      /** @param {number} next */
-      set(next) {
-        control.set(next);
-        write(value, text(next));
-        attribute(control.input, "aria-valuetext", text(next));
-      },
-    };
+    const { row, set } = parameter({ label, shown, name, max, step }, change);
+    return { row, set: (/** @type {number} */ next) => set(next, text(next)) };
   };
   const share = { max: 1, step: STEP, text: (/** @type {number} */ value) => fixed(value, 2) };
-  const named = (/** @type {string} */ text) => h("span", { class: "cell-label" }, text);
   const sliders = /** @type {const} */ (["u", "v", "w"]).map((name, axis) =>
     labelled(name, words.parameter(name), h("i", {}, name), share, (next) => acts.place(axis, next)),
   );

@@ -59,6 +59,18 @@ export function twisted(document, degrees) {
   });
 }
 
+/**
+ * One coefficient at another place, and nothing else.
+ * @template {HyperpatchDocument} D
+ * @param {D} document
+ * @param {Chosen} chosen
+ * @param {Vector} position
+ * @returns {D}
+ */
+export function placed(document, { cell: which, at }, position) {
+  return changed(document, (own, index, cell) => (cell === which && String(index) === String(at) ? { ...own, position } : own));
+}
+
 /** The end of the axis that a coefficient belongs to, along each of them: its corner. @param {readonly number[]} at @returns {Vector} */
 export const cornerOf = (at) => /** @type {Vector} */ (at.map((each) => (each < 2 ? 0 : 1)));
 

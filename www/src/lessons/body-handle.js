@@ -7,6 +7,7 @@
  *
  * @typedef {{document: BodyDocument, position: Vector}} Start where a displacement starts
  */
+import { stride } from "../controls/arrows.js";
 import { add, scaled } from "../space/vector.js";
 
 /** Digits of a coordinate that was dragged, and of one that was moved by keys. */
@@ -58,7 +59,7 @@ export function moveByHand(handle, { start, dragged, nudge, placeOf, put, rest, 
     if (!arrow || !from || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
-    const by = nudge() * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    const by = nudge() * stride(event);
     const to = rounded(add(from.position, scaled(arrow, by)), ALL_DIGITS);
     put(to, from);
     say(to);

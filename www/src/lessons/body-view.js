@@ -5,14 +5,13 @@
  * @import { App } from "../state/app.js"
  * @import { Camera } from "../space/camera.js"
  * @import { Vector } from "../space/vector.js"
- * @import { CurvesDocument, Point } from "../types.js"
+ * @import { Point } from "../types.js"
  * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  * @import { Cell, BodyDocument } from "../hyperpatch/document.js"
  * @import { Chosen, Reach, Rule, Shares } from "./body-edits.js"
  * @import { Start } from "./body-handle.js"
  * @import { Job, Known } from "./body-known.js"
  * @import { FigureView, Host } from "./figure.js"
- * @import { Part, Parts } from "./parts.js"
  */
 import "../../styles/lesson-cell.css";
 import { createOrbit } from "../../../js/element/body/orbit.js";
@@ -20,21 +19,23 @@ import { paint as paintBody, shapeOf } from "../../../js/element/body/picture.js
 import { attribute, h, svg } from "../dom.js";
 import { coordinate, fixed } from "../format.js";
 import { icon, symbol } from "../icons.js";
-import { edgeSegments, placeOf, sampleAt } from "../hyperpatch/cell.js";
+import { placeOf, sampleAt } from "../hyperpatch/cell.js";
 import { cellsOf } from "../hyperpatch/document.js";
 import { axesOf, fitted, seenAt, STANDARD, unitsPerPixel } from "../space/camera.js";
 import { add, cornersOf, scaled } from "../space/vector.js";
 import { Lane } from "../state/lane.js";
 import { createBodyControls } from "./body-controls.js";
-import { firstShares, graded, moved as displaced, redone, twisted } from "./body-edits.js";
+import { firstShares, graded, moved as displaced, placed, redone, twisted } from "./body-edits.js";
 import { moveByHand } from "./body-handle.js";
 import { known as ask } from "./body-known.js";
+import { blockOf, edgesOf, lineThrough, netOf } from "./body-lines.js";
 import { createReading } from "./cell-reading.js";
 import { INDICES, jacobianAt } from "./cell-sum.js";
+import { shownState } from "./document.js";
+import { partsOf } from "./parts.js";
+import { dot, polyline } from "./path.js";
 import { words } from "./words-body.js";
 
-/** Pieces of a line of parameters as it is drawn. */
-const PIECES = 24;
 /** Step of an arrow key, as a share of the box of the body. */
 const NUDGE = 0.02;
 /** Milliseconds after a change until the picture is fine again. */
@@ -150,10 +151,7 @@ export function createBodyFigure(app, host, figure) {
       draw();
       drawn();
     },
-    failed(error) {
-      if (isOver || /** @type {Error} */ (error).name === "AbortError") return;
-      host.failed(error);
-    },
+    failed: host.failed,
   });
 
   function frame() {
@@ -242,13 +240,14 @@ export function createBodyFigure(app, host, figure) {
     attribute(over, "viewBox", `0 0 ${width} ${height}`);
     const choices = shown();
     const at = choices.map((each) => seen(positionOf(each) ?? [0, 0, 0]));
-    const lines = figure.net === "cell" ? netOf(now, INDICES) : figure.net === "corner" ? cornerLines() : [];
-    const crossing = figure.point ? [0, 1, 2].map((axis) => lineThrough(now, axis)) : [];
+    const project = (/** @type {Vector[][]} */ all) => all.map((each) => each.map(seen));
+    const lines = project(figure.net === "cell" ? netOf(now, INDICES) : figure.net === "corner" ? cornerLines() : []);
+    const crossing = project(figure.point ? [0, 1, 2].map((axis) => lineThrough(now, uvw, axis)) : []);
     const goes = (known?.moving ?? []).map((each) => seen(positionOf(each) ?? [0, 0, 0]));
-    attribute(net, "d", pathOf(lines));
+    attribute(net, "d", lines.map(polyline).join(""));
     attribute(dots, "d", at.map(dot).join(""));
     for (const each of [moving, movingUnder]) attribute(each, "d", goes.map(dot).join(""));
-    attribute(through, "d", pathOf(crossing));
+    attribute(through, "d", crossing.map(polyline).join(""));
     const here = figure.point ? seen(sampleAt(now, uvw, 1).position) : null;
     for (const each of [point, pointUnder]) attribute(each, "d", here ? dot(here) : "");
     const own = positionOf(chosen) ?? [0, 0, 0];
@@ -271,26 +270,13 @@ export function createBodyFigure(app, host, figure) {
     name(at, lines, crossing, here, goes);
   }
 
-  /** The lines of the blocks that meet in the corner. @returns {Point[][]} */
+  /** The lines of the blocks that meet in the corner. */
   function cornerLines() {
     const blocks = known?.around?.cells ?? [];
     return blocks.flatMap(({ cell, corner }) => {
-      const block = INDICES.filter((index) => index.every((each, axis) => (each > 1 ? 1 : 0) === corner[axis]));
       const own = cells()[cell];
-      return own ? netOf(own, block) : [];
+      return own ? netOf(own, blockOf(corner)) : [];
     });
-  }
-
-  /** The lines of a net, from coefficient to coefficient, among some of them. @param {Cell} now @param {readonly (readonly number[])[]} among @returns {Point[][]} */
-  function netOf({ coefficients }, among) {
-    const is = new Set(among.map(String));
-    const to = (/** @type {readonly number[]} */ [i, j, k]) => seen(coefficients[placeOf(i, j, k)].position);
-    return among.flatMap((index) =>
-      [0, 1, 2].flatMap((axis) => {
-        const next = index.map((each, k) => (k === axis ? each + 1 : each));
-        return is.has(String(next)) ? [[to(index), to(next)]] : [];
-      }),
-    );
   }
 
   /** Numbers beside the picture, and names for what the terms of the text mean. */
@@ -310,11 +296,6 @@ export function createBodyFigure(app, host, figure) {
     host.element.dataset.drawn = "true";
   }
 
-  /** A line of parameters through the place. @param {Cell} now @param {number} axis @returns {Point[]} */
-  function lineThrough(now, axis) {
-    return Array.from({ length: PIECES + 1 }, (_, n) => seen(sampleAt(now, uvw.map((own, k) => (k === axis ? n / PIECES : own)), 1).position));
-  }
-
   /**
    * @param {Point[]} at of the coefficients
    * @param {Point[][]} lines of the net
@@ -328,27 +309,20 @@ export function createBodyFigure(app, host, figure) {
     const choices = shown();
     /** Those with such indices. @param {(each: number) => boolean} fits */
     const those = (fits) => choices.flatMap((choice, n) => (choice.at.every(fits) ? [at[n]] : []));
-    /** @type {{[name: string]: () => Part}} */
-    const parts = {
-      coefficients: () => ({ dots: at }),
-      coefficient: () => ({ dots: [seen(positionOf(chosen) ?? [0, 0, 0])] }),
-      moving: () => ({ dots: goes }),
-      corners: () => ({ dots: those((each) => each % 3 === 0) }),
-      inner: () => ({ dots: those((each) => each % 3 !== 0) }),
-      net: () => ({ lines }),
-      edges: () => {
-        const ends = edgeSegments(now);
-        const end = (/** @type {number} */ start) => seen(ends.slice(start, start + 3));
-        return { lines: Array.from({ length: ends.length / 6 }, (_, n) => [end(6 * n), end(6 * n + 3)]) };
-      },
-      point: () => ({ dots: here ? [here] : [] }),
-      through: () => ({ lines: crossing }),
-      witness: () => ({ dots: witnesses().map(seen) }),
-    };
-    /** @type {Parts} */
-    const found = new Map();
-    for (const term of host.terms) if (parts[term]) found.set(term, parts[term]());
-    surface.name(found);
+    surface.name(
+      partsOf(host.terms, {
+        coefficients: () => ({ dots: at }),
+        coefficient: () => ({ dots: [seen(positionOf(chosen) ?? [0, 0, 0])] }),
+        moving: () => ({ dots: goes }),
+        corners: () => ({ dots: those((each) => each % 3 === 0) }),
+        inner: () => ({ dots: those((each) => each % 3 !== 0) }),
+        net: () => ({ lines }),
+        edges: () => ({ lines: edgesOf(now).map((edge) => edge.map(seen)) }),
+        point: () => ({ dots: here ? [here] : [] }),
+        through: () => ({ lines: crossing }),
+        witness: () => ({ dots: witnesses().map(seen) }),
+      }),
+    );
   }
 
   /** Draws what lies over the body again. */
@@ -400,14 +374,7 @@ export function createBodyFigure(app, host, figure) {
       change(displaced(from.document, chosen, to.map((each, axis) => each - from.position[axis]), reach));
       return;
     }
-    const n = placeOf(...chosen.at);
-    const replaced = (/** @type {Cell} */ { coefficients }) => ({
-      coefficients: coefficients.map((own, k) => (k === n ? { ...own, position: /** @type {Vector} */ ([...to]) } : own)),
-    });
-    const operations = document.operations.map((operation) =>
-      operation.op === "cells" ? { ...operation, cells: /** @type {Cell[]} */ (operation.cells).map((each, k) => (k === chosen.cell ? replaced(each) : each)) } : operation,
-    );
-    change(/** @type {BodyDocument} */ ({ ...document, operations }));
+    change(placed(document, chosen, /** @type {Vector} */ ([...to])));
   }
 
   /** @param {number} axis @param {number} value */
@@ -473,7 +440,7 @@ export function createBodyFigure(app, host, figure) {
       if (follows) fit(camera);
       draw();
     },
-    state: () => (document ? { document: /** @type {CurvesDocument} */ (/** @type {unknown} */ ({ ...document, operations: [{ op: "cells", cells: cells() }] })), s: null, step: null } : null),
+    state: () => shownState(document && { ...document, operations: [{ op: "cells", cells: cells() }] }),
     close() {
       isOver = true;
       cancelAnimationFrame(asked);
@@ -485,12 +452,3 @@ export function createBodyFigure(app, host, figure) {
 
 /** @param {Chosen} one @param {Chosen} other */
 const isOf = (one, other) => one.cell === other.cell && String(one.at) === String(other.at);
-
-/** @param {Point} place */
-const written = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
-
-/** @param {Point[][]} lines */
-const pathOf = (lines) => lines.map((line) => `M${line.map(written).join("L")}`).join("");
-
-/** @param {Point} place */
-const dot = (place) => `M${written(place)}h.01`;

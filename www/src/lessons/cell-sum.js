@@ -14,7 +14,7 @@ import { cross, dot } from "../space/vector.js";
 export const INDICES = Array.from({ length: 64 }, (_, n) => /** @type {Index} */ ([n >> 4, (n >> 2) & 3, n & 3]));
 
 /** The eight corners, as parameters. @type {readonly Vector[]} */
-export const CORNERS = Array.from({ length: 8 }, (_, n) => /** @type {Vector} */ ([n >> 2, (n >> 1) & 1, n & 1]));
+const CORNERS = Array.from({ length: 8 }, (_, n) => /** @type {Vector} */ ([n >> 2, (n >> 1) & 1, n & 1]));
 
 /** The derivatives of the four cubic Bernstein polynomials. @param {number} t 0 to 1 @returns {number[]} */
 function slopes(t) {

@@ -6,7 +6,6 @@
  * @import { CurvesDocument, Match, Picture, Point } from "../types.js"
  * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  * @import { FigureView, Host } from "./figure.js"
- * @import { Part, Parts } from "./parts.js"
  */
 import { slider } from "../controls/slider.js";
 import { attribute, h, write } from "../dom.js";
@@ -19,6 +18,7 @@ import { Lane } from "../state/lane.js";
 import { shownTotals } from "../state/lines.js";
 import { toScreen } from "../view.js";
 import { createHandles } from "./handles.js";
+import { partsOf } from "./parts.js";
 import { words } from "./words.js";
 
 /** Milliseconds from one curve to the other. */
@@ -99,10 +99,7 @@ export function createCurvesView(app, host, figure) {
       canvas.getContext("2d")?.putImageData(imageData(picture), 0, 0);
       drawn();
     },
-    failed(error) {
-      if (over || /** @type {Error} */ (error).name === "AbortError") return;
-      host.failed(error);
-    },
+    failed: host.failed,
   });
 
   function paint() {
@@ -155,8 +152,7 @@ export function createCurvesView(app, host, figure) {
     const ends = match.pairs.length > 0
       ? match.pairs.map(({ from, to, verified }) => ({ line: [at(from), at(to)], sound: verified }))
       : match.lines.map(({ from, to, visible }) => ({ line: [at(sample(samples, 0, from)), at(sample(samples, 1, to))], sound: visible }));
-    /** @type {{[name: string]: () => Part}} */
-    const known = {
+    const parts = partsOf(host.terms, {
       first: () => ({ lines: outlines.slice(0, 1) }),
       second: () => ({ lines: outlines.slice(1, 2) }),
       lines: () => ({ lines: ends.map(({ line }) => line) }),
@@ -166,14 +162,11 @@ export function createCurvesView(app, host, figure) {
       normals: () => ({ lines: samples.flatMap(({ points, normals }) => points.map((point, k) => normalAt(at(point), normals[k] ?? [0, 0]))) }),
       stage: () => ({ lines: between ? [closed(between.points.map(at))] : [] }),
       stages: () => ({ lines: (betweens?.all ?? []).map((points) => closed(points.map(at))) }),
-    };
-    /** @type {Parts} */
-    const parts = new Map();
+    });
     for (const term of host.terms) {
       const line = /^line:(\d+)$/.exec(term);
-      const one = line ? ends[Number(line[1])] : undefined;
+      const one = line && ends[Number(line[1])];
       if (line) parts.set(term, { lines: one ? [one.line] : [] });
-      else if (known[term]) parts.set(term, known[term]());
     }
     surface.name(parts);
     void fetchBetween();

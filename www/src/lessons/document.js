@@ -49,3 +49,6 @@ export function momentOf(steps, moment) {
   if (phase === "insertion") return within(growth + removal, first + second);
   return totalOf(steps);
 }
+
+/** What a figure without in-between curve and without steps shows, to be opened in the editor. @param {object | null} document */
+export const shownState = (document) => document && { document: /** @type {CurvesDocument} */ (document), s: null, step: null };

@@ -13,7 +13,7 @@
  * @property {Set<string>} terms those of the text
  * @property {() => string} alt
  * @property {() => void} touched the reader changed something
- * @property {(error: unknown) => void} failed why nothing is shown; null when something is
+ * @property {(error: unknown) => void} failed why nothing is shown; null when something is. What was only given up, or comes after the end, is no failure
  *
  * @typedef {object} FigureView
  * @property {HTMLElement} status what it comes to, in a line
@@ -25,6 +25,7 @@
  * @property {() => void} [focus] the keyboard chooses a vertex
  * @property {() => void} close
  */
+import "../../styles/lesson-figure.css";
 import { h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { openDocument } from "../files/open.js";
@@ -78,6 +79,7 @@ export function createFigure(app, { lesson, step, number, terms, mine, setMine, 
     alt: () => (isMine ? words.mineAlt(app.store.document.title) : figure.alt),
     touched: () => (changed = true),
     failed: (/** @type {unknown} */ error) => {
+      if (over || (error instanceof Error && error.name === "AbortError")) return;
       message.hidden = error === null;
       if (error === null) return;
       write(message, words.cannot(explain(app.store.document, problem(error))));

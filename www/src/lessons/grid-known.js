@@ -13,7 +13,7 @@
  */
 
 /** Places of a pixel along a side at which the error is measured. */
-export const PLACES = 5;
+const PLACES = 5;
 
 /**
  * The pixels of a document's box that its features meet: those that hold its points, and those that a circle runs through.

@@ -4,11 +4,9 @@
  *
  * @import { PartDocument, Point, TransformSteps, View } from "../../../js/directrix.js"
  * @import { App } from "../state/app.js"
- * @import { CurvesDocument } from "../types.js"
  * @import { Figure } from "../../../scripts/lib/lesson.mjs"
  * @import { FigureView, Host } from "./figure.js"
  * @import { Errors, Marks } from "./grid-known.js"
- * @import { Part, Parts } from "./parts.js"
  *
  * @typedef {{document: PartDocument, pixels: number, isAnywhere: boolean}} Job
  * @typedef {{job: Job, marks: Marks, steps: TransformSteps, errors: Errors | null}} Known
@@ -17,12 +15,15 @@ import "../../styles/lesson-cell.css";
 import "../../styles/lesson-part.css";
 import { fitting, toScreen } from "../../../js/element/plane.js";
 import { segment } from "../controls/choices.js";
-import { slider } from "../controls/slider.js";
-import { attribute, h, svg, write } from "../dom.js";
+import { attribute, h, svg } from "../dom.js";
 import { fixed } from "../format.js";
 import { Lane } from "../state/lane.js";
+import { shownState } from "./document.js";
 import { envelopeChart, scanChart } from "./grid-chart.js";
 import { centerOf, errorsOf, marksOf, measured } from "./grid-known.js";
+import { fact, label, parameter } from "./parameter.js";
+import { partsOf } from "./parts.js";
+import { circle } from "./path.js";
 import { words } from "./words-part.js";
 
 /** Room round the grid, CSS pixels; a pixel below which numbers do not fit. */
@@ -61,41 +62,35 @@ export function createGridFigure(app, host, figure) {
   let isAnywhere = true;
   let isOver = false;
 
-  const passes = slider({ label: words.pass, name: "lesson-pass", min: 0, max: 1, step: 1 }, { change: (next) => go(next) });
-  const passText = h("span", { class: "number strong grid-pass", "data-lesson": "pass" });
-  const count = slider({ label: words.pixels, name: "lesson-pixels", min: 6, max: 64, step: 1 }, { change: (next) => measure({ next }) });
-  const countText = h("span", { class: "number strong" });
+  const passes = parameter({ label: words.pass, name: "pass", max: 1, step: 1 }, (next) => {
+    pass = next;
+    host.touched();
+    render();
+  });
+  passes.value.classList.add("grid-pass");
+  const count = parameter({ label: words.pixels, name: "pixels", min: 6, max: 64, step: 1 }, (next) => measure({ next }));
   const where = segment(
     { label: words.where, name: "lesson-where", choices: /** @type {const} */ (["centers", "anywhere"]).map((value) => ({ value, text: words.wheres[value] })) },
     (value) => measure({ anywhere: value === "anywhere" }),
   );
-  const label = (/** @type {string} */ text) => h("span", { class: "cell-label" }, text);
   const reading = h("div", { class: "cell-reading", "data-reading": figure.reading ?? "" });
   const controls = h(
     "div",
     { class: "cell-controls" },
-    ...(isError
-      ? [
-          h("div", { class: "cell-parameter" }, label(words.pixels), count.element, countText),
-          h("div", { class: "cell-parameter part-rule" }, label(words.where), where.element),
-        ]
-      : [h("div", { class: "cell-parameter" }, label(words.pass), passes.element, passText)]),
+    ...(isError ? [count.row, h("div", { class: "cell-parameter part-rule" }, label(words.where), where.element)] : [passes.row]),
     reading,
   );
 
   /** @type {Lane<Job, Known>} */
   const lane = new Lane({
-    work: (job, signal) => ask(job, signal),
+    work: ask,
     done(found) {
       if (isOver) return;
       known = found;
       host.failed(null);
       render();
     },
-    failed(error) {
-      if (isOver || /** @type {Error} */ (error).name === "AbortError") return;
-      host.failed(error);
-    },
+    failed: host.failed,
   });
 
   /** @param {Job} job @param {AbortSignal} signal @returns {Promise<Known>} */
@@ -117,13 +112,6 @@ export function createGridFigure(app, host, figure) {
     if (!document || width < 1 || height < 1) return;
     if (known?.job.document === document && known.job.pixels === pixels && known.job.isAnywhere === isAnywhere) return render();
     lane.push({ document, pixels, isAnywhere });
-  }
-
-  /** @param {number} next */
-  function go(next) {
-    pass = next;
-    host.touched();
-    render();
   }
 
   /** @param {{next?: number, anywhere?: boolean}} patch */
@@ -161,18 +149,15 @@ export function createGridFigure(app, host, figure) {
     attribute(features, "d", isError ? "" : held.map((n) => box(n % nx, Math.floor(n / nx))).join(""));
     pass = Math.min(pass, nx + ny);
     passes.setMax(nx + ny);
-    passes.set(pass);
     const column = pass > ny ? pass - ny - 1 : null;
     const said = pass === 0 ? words.before : column === null ? words.row(pass, ny) : words.column(column + 1, nx);
-    write(passText, said);
-    attribute(passes.input, "aria-valuetext", said);
+    passes.set(pass, said);
     const shown = isError || pass === 0 ? "" : column === null ? box(0, pass - 1, nx, 1) : box(column, 0, 1, ny);
     attribute(now, "d", shown);
     attribute(frame, "d", shown);
     attribute(exact, "d", isError ? circles(job.document, view) : "");
     numbers.replaceChildren(...(isError || cell < READABLE ? [] : texts(found, cell, corner)));
-    count.set(pixels);
-    write(countText, String(pixels));
+    count.set(pixels, String(pixels));
     where.set(isAnywhere ? "anywhere" : "centers");
     if (isError) drawErrors(found, view);
     else {
@@ -200,14 +185,8 @@ export function createGridFigure(app, host, figure) {
 
   /** @param {PartDocument} document @param {View} view */
   function circles({ shapes = [] }, view) {
-    return shapes
-      .flatMap((shape) => {
-        if (shape.kind !== "circle") return [];
-        const [x, y] = toScreen(view, surface.size(), shape.center);
-        const radius = shape.radius * view.scale;
-        return [`M${x - radius} ${y}a${radius} ${radius} 0 1 0 ${2 * radius} 0a${radius} ${radius} 0 1 0 ${-2 * radius} 0Z`];
-      })
-      .join("");
+    const round = shapes.flatMap((shape) => (shape.kind === "circle" ? [circle(toScreen(view, surface.size(), shape.center), shape.radius * view.scale)] : []));
+    return round.join("");
   }
 
   /** @param {Known} found @param {number | null} column */
@@ -219,7 +198,7 @@ export function createGridFigure(app, host, figure) {
     }
     const own = steps.columns[column];
     const levels = Array.from({ length: ny }, (_, y) => steps.rows[y * nx + column]);
-    const row = (/** @type {string} */ name, /** @type {string} */ key, /** @type {number} */ value) => [h("dt", {}, name), h("dd", { class: "number", "data-lesson": key }, String(value))];
+    const row = (/** @type {string} */ text, /** @type {string} */ name, /** @type {number} */ value) => fact(text, name, String(value));
     if (figure.reading === "scan") {
       const sum = (/** @type {"reach" | "count"} */ key) => own.searches.reduce((all, each) => all + each[key], 0);
       reading.replaceChildren(
@@ -253,10 +232,9 @@ export function createGridFigure(app, host, figure) {
     const unit = job.document.unit ?? "mm";
     const bound = job.isAnywhere ? BOUND : BOUND / 2;
     const both = (/** @type {number} */ value) => `${words.error.edges(fixed(value, 3))} = ${words.error.in(fixed(value * marks.edge, 3), unit)}`;
-    const row = (/** @type {string} */ name, /** @type {string} */ key, /** @type {string} */ value) => [h("dt", {}, name), h("dd", { class: "number", "data-lesson": key }, value)];
     reading.replaceChildren(
       h("p", { class: "grid-scale", "aria-label": words.error.picture }, "0", h("span", {}), fixed(BOUND, 3)),
-      h("dl", {}, ...row(words.error.worst, "worst", both(errors.worst)), ...row(words.error.mean, "mean", both(errors.mean)), ...row(words.error.bound, "bound", both(bound))),
+      h("dl", {}, ...fact(words.error.worst, "worst", both(errors.worst)), ...fact(words.error.mean, "mean", both(errors.mean)), ...fact(words.error.bound, "bound", both(bound))),
     );
     status.hidden = true;
   }
@@ -268,16 +246,13 @@ export function createGridFigure(app, host, figure) {
       const [left, top] = corner(x, y);
       return /** @type {Point[]} */ ([[left, top], [left + w * cell, top], [left + w * cell, top + h * cell], [left, top + h * cell]]);
     };
-    /** @type {{[name: string]: () => Part}} */
-    const all = {
-      features: () => ({ area: [...marks.features.keys()].filter((n) => marks.features[n] > 0).map((n) => square(n % nx, Math.floor(n / nx))) }),
-      pass: () => ({ area: shown === "" ? [] : [column === null ? square(0, pass - 1, nx, 1) : square(column, 0, 1, ny)] }),
-      wide: () => ({ area: column === null ? [] : steps.columns[column].corners.map((y) => square(column, y)) }),
-    };
-    /** @type {Parts} */
-    const parts = new Map();
-    for (const term of host.terms) if (all[term]) parts.set(term, all[term]());
-    surface.name(parts);
+    surface.name(
+      partsOf(host.terms, {
+        features: () => ({ area: [...marks.features.keys()].filter((n) => marks.features[n] > 0).map((n) => square(n % nx, Math.floor(n / nx))) }),
+        pass: () => ({ area: shown === "" ? [] : [column === null ? square(0, pass - 1, nx, 1) : square(column, 0, 1, ny)] }),
+        wide: () => ({ area: column === null ? [] : steps.columns[column].corners.map((y) => square(column, y)) }),
+      }),
+    );
   }
 
   return {
@@ -289,7 +264,7 @@ export function createGridFigure(app, host, figure) {
       paint();
     },
     draw: paint,
-    state: () => (document ? { document: /** @type {CurvesDocument} */ (/** @type {unknown} */ (document)), s: null, step: null } : null),
+    state: () => shownState(document),
     close() {
       isOver = true;
       lane.cancel();

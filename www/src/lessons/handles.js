@@ -3,15 +3,13 @@
  *
  * @import { CurvesDocument, Point, View } from "../types.js"
  */
+import { ARROWS, stride } from "../controls/arrows.js";
 import { attribute, h } from "../dom.js";
 import { coordinate } from "../format.js";
 import { pointName } from "../state/app.js";
 import { handleCount } from "../state/edits.js";
 import { aimed, arrowStep, toPlane, toScreen } from "../view.js";
 import { words } from "./words.js";
-
-/** @type {{[key: string]: Point}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
  * @param {ReturnType<typeof import("./surface.js").createSurface>} surface
@@ -92,7 +90,7 @@ export function createHandles(surface, { change, done, say }) {
     if (arrow) {
       const { curve, point } = pointOf(index);
       const [x, y] = /** @type {Point} */ (now.document.curves[curve]?.points[point]);
-      const by = arrowStep(now.document) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+      const by = arrowStep(now.document) * stride(event);
       const to = /** @type {Point} */ ([aimed(x + by * arrow[0], now.view), aimed(y + by * arrow[1], now.view)]);
       place(index, to);
       say(words.handle(pointName(curve, point), coordinate(to[0]), coordinate(to[1])));

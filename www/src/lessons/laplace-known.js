@@ -8,9 +8,9 @@
  */
 
 /** Places of a circle at which its mean is taken. */
-export const AROUND = 96;
+const AROUND = 96;
 /** Points at which errors are measured, between a tenth and nine tenths of the box. */
-export const PROBES = 60;
+const PROBES = 60;
 /** What the residuals of a comparison are followed to, and for how many iterations. */
 export const FOLLOWED = { tolerance: 1e-8, restart: 200, maxIterations: 200 };
 /** Room round a section, over the size of the body. */
@@ -32,7 +32,7 @@ export const withSteps = (document, steps) => ({ ...document, model: /** @type {
  * @param {Pick<LaplaceBoundary, "dimension" | "vertices">} boundary
  * @returns {[number[], number[]]}
  */
-export function boxOf({ dimension, vertices }) {
+function boxOf({ dimension, vertices }) {
   const [low, high] = [new Array(dimension).fill(Infinity), new Array(dimension).fill(-Infinity)];
   vertices.forEach((x, n) => {
     const axis = n % dimension;

@@ -2,12 +2,13 @@
  * What stands below a figure of a boundary value problem: means, extremes, influences, the matrix, errors or residuals.
  *
  * @import { Figure } from "../../../scripts/lib/lesson.mjs"
- * @import { Known, Run, Solved } from "./laplace-view.js"
+ * @import { Known, Run, Solved } from "./laplace-solver.js"
  */
 import { h } from "../dom.js";
 import { fixed, significant } from "../format.js";
 import { errorChart, matrixPicture, residualChart, rowChart } from "./laplace-chart.js";
 import { FOLLOWED, summed } from "./laplace-known.js";
+import { fact } from "./parameter.js";
 import { words } from "./words-laplace.js";
 
 /** Numbers of panels between which errors follow a power: more than a few, and not so many that single precision ends it. */
@@ -30,26 +31,25 @@ function powered(value) {
 export function readingOf(figure, now, panel, color) {
   const { solved, found, around } = now;
   const materials = solved.document.materials ?? [];
-  const item = (/** @type {string} */ name, /** @type {string} */ own, /** @type {...(string | HTMLElement)} */ ...value) => [h("dt", {}, name), h("dd", { class: "number", "data-lesson": own }, ...value)];
   const { matrix } = solved;
   if (figure.reading === "mean" && found) {
     if (!around) return [h("p", { class: "cell-label" }, words.mean.beyond)];
     const { mean, least, greatest } = summed(around, materials.length, 0);
     return [
       h("p", { class: "cell-label" }, words.mean.of(materials[0].name)),
-      h("dl", {}, ...item(words.mean.at, "own", fixed(found[0], 4)), ...item(words.mean.around, "mean", fixed(mean, 4)), ...item(words.mean.least, "least", fixed(least, 4)), ...item(words.mean.greatest, "greatest", fixed(greatest, 4))),
+      h("dl", {}, ...fact(words.mean.at, "own", fixed(found[0], 4)), ...fact(words.mean.around, "mean", fixed(mean, 4)), ...fact(words.mean.least, "least", fixed(least, 4)), ...fact(words.mean.greatest, "greatest", fixed(greatest, 4))),
     ];
   }
   if (figure.reading === "extremes") return [extremesTable(solved)];
   if (figure.reading === "fractions" && found && !found.some(Number.isNaN)) {
-    const rows = materials.flatMap(({ name }, k) => item(name, `share-${k}`, fixed(found[k], 4)));
-    return [h("dl", {}, ...rows, ...item(words.fractions.sum, "sum", fixed(found.reduce((sum, each) => sum + each, 0), 4)))];
+    const rows = materials.flatMap(({ name }, k) => fact(name, `share-${k}`, fixed(found[k], 4)));
+    return [h("dl", {}, ...rows, ...fact(words.fractions.sum, "sum", fixed(found.reduce((sum, each) => sum + each, 0), 4)))];
   }
   if (figure.reading === "influence" && matrix) {
     const own = matrix.matrix.subarray(panel * matrix.count, (panel + 1) * matrix.count);
     const at = (/** @type {number} */ n) => powered(own[(panel + n) % matrix.count]);
     const far = Math.floor(matrix.count / 2);
-    return [rowChart(matrix, panel), h("dl", {}, ...item(words.influence.own, "own", ...at(0)), ...item(words.influence.next, "next", ...at(1)), ...item(words.influence.far, "far", ...at(far)))];
+    return [rowChart(matrix, panel), h("dl", {}, ...fact(words.influence.own, "own", ...at(0)), ...fact(words.influence.next, "next", ...at(1)), ...fact(words.influence.far, "far", ...at(far)))];
   }
   if (figure.reading === "matrix" && matrix) {
     const sizes = Array.from(matrix.matrix, Math.abs);
@@ -58,10 +58,10 @@ export function readingOf(figure, now, panel, color) {
       h(
         "dl",
         {},
-        ...item(words.matrix.size, "size", String(sizes.length)),
-        ...item(words.matrix.largest, "largest", ...powered(Math.max(...sizes))),
-        ...item(words.matrix.least, "least", ...powered(Math.min(...sizes))),
-        ...item(words.matrix.zeros, "zeros", String(sizes.filter((size) => size === 0).length)),
+        ...fact(words.matrix.size, "size", String(sizes.length)),
+        ...fact(words.matrix.largest, "largest", ...powered(Math.max(...sizes))),
+        ...fact(words.matrix.least, "least", ...powered(Math.min(...sizes))),
+        ...fact(words.matrix.zeros, "zeros", String(sizes.filter((size) => size === 0).length)),
       ),
     ];
   }
@@ -72,12 +72,12 @@ export function readingOf(figure, now, panel, color) {
     const power = Math.log(to.error / from.error) / Math.log(to.panels / from.panels);
     return [
       errorChart(solved.errors, count),
-      h("dl", {}, ...item(words.error.panels, "count", String(count)), ...item(words.error.largest, "error", ...powered(own?.error ?? NaN)), ...item(words.error.falls(from.panels, to.panels), "power", fixed(power, 1))),
+      h("dl", {}, ...fact(words.error.panels, "count", String(count)), ...fact(words.error.largest, "error", ...powered(own?.error ?? NaN)), ...fact(words.error.falls(from.panels, to.panels), "power", fixed(power, 1))),
     ];
   }
   if (figure.reading === "residuals" && now.runs.length > 0) {
     const { condition } = solved;
-    const own = condition === null ? [] : [h("dl", {}, ...item(words.residuals.condition, "condition", ...powered(condition)))];
+    const own = condition === null ? [] : [h("dl", {}, ...fact(words.residuals.condition, "condition", ...powered(condition)))];
     return [residualChart(now.runs, FOLLOWED.tolerance), runTable(now.runs, now.job.omega), ...own];
   }
   return [];

@@ -19,7 +19,7 @@ export const COURSES = /** @type {const} */ ({
   periodic: { kind: "periodic", waves: 3 },
 });
 /** Places along a line. */
-export const PLACES = 201;
+const PLACES = 201;
 /** Pixels along the longer side of a part by the printed rule, which are its voxels. */
 const VOXELS = 160;
 

@@ -11,23 +11,26 @@
  *
  * @typedef {Map<string, Part>} Parts by term
  */
+import { dot, polyline } from "./path.js";
 
 /** Distance at which a line or a dot is under the pointer, CSS pixels. */
 const REACH = 7;
 /** A dot on a line wins against the line within this distance. */
 const DOT_FIRST = 3;
 
-/** @param {Point} point */
-const written = ([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`;
-
-/** @param {Point[]} points */
-const polyline = (points) => `M${points.map(written).join("L")}`;
+/**
+ * What the terms of a text name, of all that a figure has names for.
+ * @param {ReadonlySet<string>} terms
+ * @param {{[term: string]: () => Part}} named
+ * @returns {Parts}
+ */
+export const partsOf = (terms, named) => new Map([...terms].flatMap((term) => (named[term] ? [[term, named[term]()]] : [])));
 
 /** The strokes and the area of a part as path data. @param {Part | undefined} part */
 export function pathsOf({ lines = [], dots = [], area = [] } = {}) {
   return {
     strokes: lines.map(polyline).join(""),
-    dots: dots.map((dot) => `M${written(dot)}h.01`).join(""),
+    dots: dots.map(dot).join(""),
     area: area.map((ring) => `${polyline(ring)}Z`).join(""),
   };
 }
@@ -43,7 +46,7 @@ export function partAt(parts, at) {
   let found = null;
   let least = REACH;
   for (const [term, { lines = [], dots = [] }] of parts) {
-    const toDots = Math.min(Infinity, ...dots.map((dot) => Math.hypot(dot[0] - at[0], dot[1] - at[1]))) - DOT_FIRST;
+    const toDots = Math.min(Infinity, ...dots.map(([x, y]) => Math.hypot(x - at[0], y - at[1]))) - DOT_FIRST;
     const toLines = Math.min(Infinity, ...lines.map((line) => distance(line, at)));
     const nearest = Math.min(toDots, toLines);
     if (nearest < least) [found, least] = [term, nearest];

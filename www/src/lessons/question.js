@@ -10,6 +10,7 @@
  * @property {boolean | null} right
  * @property {string} text about a vertex
  */
+import "../../styles/lesson-question.css";
 import { h } from "../dom.js";
 import { icon } from "../icons.js";
 import { fill } from "./html.js";

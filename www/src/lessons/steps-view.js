@@ -9,27 +9,24 @@
  * @import { Vertex } from "../steps/picture.js"
  * @import { Prediction } from "../steps/prediction.js"
  * @import { FigureView, Host } from "./figure.js"
- * @import { Part, Parts } from "./parts.js"
+ * @import { Parts } from "./parts.js"
  */
-import "../../styles/steps.css";
 import { advice } from "../explain.js";
 import { attribute, h } from "../dom.js";
-import { significantText } from "../format.js";
 import { outline } from "../spline.js";
 import { Lane } from "../state/lane.js";
-import { phaseAt, lineName, sceneAt, totalOf, vertexName } from "../steps/film.js";
+import { phaseAt, sceneAt, totalOf, vertexName } from "../steps/film.js";
 import { createPicture } from "../steps/picture.js";
 import { answered, begun, isHidden } from "../steps/prediction.js";
+import { createPlayer } from "../steps/player.js";
+import { spokenScene } from "../steps/spoken.js";
 import { createTransport } from "../steps/transport.js";
+import { nearestVertex, REACH } from "../steps/vertices.js";
 import { words as stepWords } from "../steps/words.js";
 import { toScreen } from "../view.js";
 import { momentOf } from "./document.js";
+import { partsOf } from "./parts.js";
 import { words } from "./words.js";
-
-/** Milliseconds of a step at the speed 1. */
-const BEAT = 500;
-/** Distance of a press from a vertex, by pointer and by touch, CSS pixels. */
-const REACH = { mouse: 16, touch: 26 };
 
 /**
  * @param {App} app
@@ -59,8 +56,6 @@ export function createStepsView(app, host, figure) {
   let view = null;
   let at = 0;
   let start = 0;
-  let playing = false;
-  let speed = 1;
   let over = false;
   let fits = 0;
   /** The question about a vertex, while it is open or has been answered. @type {Prediction | null} */
@@ -69,16 +64,18 @@ export function createStepsView(app, host, figure) {
   let ask = null;
   /** @type {Vertex | null} */
   let hovered = null;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
   /** @type {Map<string, VertexSets>} */
   const sets = new Map();
 
+  const player = createPlayer(() => {
+    goTo(at + 1);
+    return at < end();
+  }, render);
   const transport = createTransport({
     goTo: (next) => goTo(next),
     goBy: (by) => goTo(at + by),
     toggle,
-    setSpeed: (value) => (speed = value),
+    setSpeed: (value) => (player.speed = value),
     togglePrediction: () => {},
   });
 
@@ -95,8 +92,7 @@ export function createStepsView(app, host, figure) {
       void fit();
     },
     failed(error) {
-      if (over || /** @type {Error} */ (error).name === "AbortError") return;
-      steps = null;
+      if (/** @type {Error} */ (error).name !== "AbortError") steps = null;
       host.failed(error);
     },
   });
@@ -141,51 +137,32 @@ export function createStepsView(app, host, figure) {
   /** @param {number} next */
   function goTo(next) {
     at = Math.min(end(), Math.max(0, next));
-    if (!playing) app.say(`${stepWords.spokenStep(at, end())}: ${spoken()}`);
+    if (!player.playing) app.say(spoken());
     host.touched();
     render();
   }
 
   function toggle() {
     if (!steps) return;
-    if (playing) return pause();
+    if (player.playing) return pause();
     if (still.matches) return goTo(at === end() ? 0 : at + 1);
     if (at === end()) at = 0;
-    playing = true;
     host.touched();
-    beat();
+    player.play();
     render();
-  }
-
-  function beat() {
-    timer = setTimeout(() => {
-      if (!playing) return;
-      goTo(at + 1);
-      if (at < end()) beat();
-      else pause();
-    }, BEAT / speed);
   }
 
   function pause() {
-    playing = false;
-    clearTimeout(timer);
+    player.pause();
     render();
   }
 
-  /** The step in words. */
+  /** The step in words, with its number. */
   function spoken() {
     if (!steps) return "";
     const scene = sceneAt(steps, at);
-    const line = scene.chosen;
-    const f = line ? significantText(line.value) : "";
-    const w = stepWords.spoken;
-    if (hidden()) return stepWords.askShort(vertexName(0, line?.from ?? 0));
-    if (scene.phase === "start") return w.start;
-    if (scene.phase === "growth") return w.growth(line ? lineName(line) : "", f, scene.lines.length);
-    if (scene.phase === "removal") return w.removal(line ? lineName(line) : "", f);
-    if (scene.phase === "end") return w.end(scene.lines.length);
-    const curve = scene.phase === "first" ? 0 : 1;
-    return w.insert(curve, line ? vertexName(1 - curve, curve === 0 ? line.to : line.from) : "", f);
+    const text = hidden() ? stepWords.askShort(vertexName(0, scene.chosen?.from ?? 0)) : spokenScene(scene, false);
+    return `${stepWords.spokenStep(at, end())}: ${text}`;
   }
 
   function render() {
@@ -205,13 +182,13 @@ export function createStepsView(app, host, figure) {
     const guess = prediction?.told?.at === at && prediction.told.kind !== "right" ? prediction.told.guess : null;
     picture.draw({ view, size, document, steps, scene, hidden: isSecret, focus: on?.vertex ?? ownEnd, sets: found, aim, guess });
     attribute(picture.element, "viewBox", `0 0 ${size.width} ${size.height}`);
-    const text = `${stepWords.spokenStep(at, end())}: ${spoken()}`;
+    const text = spoken();
     attribute(picture.element, "aria-label", at === start && !isSecret ? `${host.alt()} ${text}` : text);
     reading.replaceChildren(h("span", {}, ...withPowers(text)));
     vertices.hidden = !isSecret;
     surface.element.classList.toggle("asks", isSecret);
-    transport.render({ steps, at, total: end(), text, playing, still: still.matches, predicting: false });
-    surface.name(partsOf(scene, found, on?.vertex ?? null, size));
+    transport.render({ steps, at, total: end(), text, playing: player.playing, still: still.matches, predicting: false });
+    surface.name(namedIn(scene, found, on?.vertex ?? null, size));
     if (!on || found) host.element.dataset.drawn = "true";
     host.element.dataset.step = String(at);
   }
@@ -224,7 +201,7 @@ export function createStepsView(app, host, figure) {
    * @param {import("../types.js").Size} size
    * @returns {Parts}
    */
-  function partsOf(scene, found, on, size) {
+  function namedIn(scene, found, on, size) {
     const place = (/** @type {Point} */ point) => toScreen(/** @type {View} */ (view), size, point);
     const sample = (/** @type {number} */ curve, /** @type {number} */ vertex) => place(steps?.samples[curve]?.points[vertex] ?? [0, 0]);
     const lines = (/** @type {Line[]} */ all) => ({ lines: all.map(({ ends: [p, q] }) => [place(p), place(q)]) });
@@ -233,8 +210,7 @@ export function createStepsView(app, host, figure) {
       lines: on ? (found?.visible ?? []).filter((each) => each.candidate === candidate).map(({ vertex }) => [sample(0, on.vertex), sample(1, vertex)]) : [],
     });
     const bare = (steps?.samples ?? []).flatMap(({ points }, k) => points.filter((_, vertex) => scene.degrees[k]?.[vertex] === 0).map(place));
-    /** @type {{[name: string]: () => Part}} */
-    const known = {
+    return partsOf(host.terms, {
       winner: () => lines(scene.chosen && !hidden() ? [scene.chosen] : []),
       moved: () => lines(scene.chosen ? [scene.chosen] : []),
       redundant: () => lines(scene.redundant),
@@ -245,24 +221,12 @@ export function createStepsView(app, host, figure) {
       bare: () => ({ dots: bare }),
       first: () => curve(0),
       second: () => curve(1),
-    };
-    /** @type {Parts} */
-    const parts = new Map();
-    for (const [name, part] of Object.entries(known)) if (host.terms.has(name)) parts.set(name, part());
-    return parts;
+    });
   }
 
   /** The vertex of the second curve nearest to a place. @param {Point} place @param {number} reach */
   function under(place, reach) {
-    let least = reach;
-    /** @type {number | null} */
-    let found = null;
-    (steps?.samples[1]?.points ?? []).forEach((point, vertex) => {
-      const [x, y] = toScreen(/** @type {View} */ (view), surface.size(), point);
-      const distance = Math.hypot(x - place[0], y - place[1]);
-      if (distance < least) [least, found] = [distance, vertex];
-    });
-    return /** @type {number | null} */ (found);
+    return steps && view ? (nearestVertex(steps, view, surface.size(), place, [1], reach)?.vertex ?? null) : null;
   }
 
   /** @param {number} guess vertex of the second curve */
@@ -323,8 +287,7 @@ export function createStepsView(app, host, figure) {
     status: reading,
     controls: figure.controls === "none" ? null : transport.element,
     show(next) {
-      playing = false;
-      clearTimeout(timer);
+      player.pause();
       document = next;
       prediction = null;
       hovered = null;
@@ -342,8 +305,7 @@ export function createStepsView(app, host, figure) {
     focus: () => vertices.focus({ preventScroll: true }),
     close() {
       over = true;
-      playing = false;
-      clearTimeout(timer);
+      player.pause();
       lane.cancel();
       setsLane.cancel();
     },

@@ -6,8 +6,6 @@ export const words = {
   panel: "Panel",
   radius: "Radius",
   numbered: (/** @type {number} */ n, /** @type {number} */ count) => `${n} of ${count}`,
-  place: (/** @type {string} */ x, /** @type {string} */ y) => `Place, x ${x}, y ${y}. Arrow keys move it`,
-  moved: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}, y ${y}`,
   outside: "outside the body",
   panels: (/** @type {number} */ count) => `${count} panels`,
   triangles: (/** @type {number} */ count) => `${count} triangles, shown in section`,

@@ -5,8 +5,6 @@ export const words = {
   courses: { linear: "linear", smoothstep: "smoothstep", power: "power 3", exponential: "exponential 4", periodic: "periodic, 3 waves" },
   rule: "Overlap rule",
   rules: { repaired: "Repaired", depth: "Depth", printed: "As printed" },
-  place: (/** @type {string} */ x, /** @type {string} */ y) => `Place, x ${x}, y ${y}. Arrow keys move it`,
-  moved: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}, y ${y}`,
   outside: "outside the part",
   unit: (/** @type {string} */ value, /** @type {string} */ unit) => `${value} ${unit}`,
   along: {

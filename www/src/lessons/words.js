@@ -53,6 +53,9 @@ export const words = {
     "Arrow keys move a control point, with Shift ten times as far, with Alt a tenth. Home and End go to the first and the last one; Page up and Page down from one to the next.",
   handle: (/** @type {string} */ name, /** @type {string} */ x, /** @type {string} */ y) => `${name}, x ${x}, y ${y}`,
 
+  place: (/** @type {string} */ x, /** @type {string} */ y) => `Place, x ${x}, y ${y}. Arrow keys move it`,
+  placeMoved: (/** @type {string} */ x, /** @type {string} */ y) => `x ${x}, y ${y}`,
+
   needsCurves: (/** @type {boolean} */ isPart) =>
     `Your document is ${isPart ? "a part" : "a body"}, and these figures show curves. The workbench ${isPart ? "Part" : "Hyperpatch"} shows yours.`,
   question: "Question",

@@ -7,6 +7,7 @@
  *
  * @typedef {{pin: number, end: "u" | "v"} | {line: number, end: "u" | "v"}} Mark
  */
+import { KeyRun, stride } from "../controls/arrows.js";
 import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
 import { attribute, find, h, svg } from "../dom.js";
@@ -21,8 +22,6 @@ import { words } from "./words.js";
 
 /** Part of the domain of an arrow key. */
 const STEP = 0.01;
-/** Milliseconds between two arrow keys that still belong to one run. */
-const PAUSE = 1000;
 /** Pixels before a press counts as a drag. */
 const DEAD = 3;
 const ENDS = /** @type {const} */ (["u", "v"]);
@@ -45,8 +44,7 @@ export function createPinMarks(app) {
   let marks = [];
   /** @type {[Point, Point][]} */
   let contenders = [];
-  let run = newRun("pin");
-  let last = 0;
+  const runs = new KeyRun("pin");
 
   /** @param {EventTarget | null} target */
   const markOf = (target) => marks[buttons.findIndex((button) => target instanceof Node && button.contains(target))];
@@ -90,15 +88,13 @@ export function createPinMarks(app) {
     if (!mark || event.ctrlKey || event.metaKey) return;
     const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
     if (sign) {
-      const now = performance.now();
-      if (now - last > PAUSE) run = newRun("pin");
-      last = now;
+      const run = runs.press();
       const ends = endsOf(mark);
       const held = pinned(mark, run);
       const curve = app.store.document.curves[ENDS.indexOf(mark.end)];
       if (!ends || !curve || !("pin" in held)) return;
       const [low, high] = domainOf(curve);
-      const by = sign * STEP * (high - low) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+      const by = sign * STEP * (high - low) * stride(event);
       putPin(app, held.pin, held.end, ends[held.end] + by, run);
       focus(held);
       speak(held);
@@ -106,11 +102,11 @@ export function createPinMarks(app) {
       dropPin(app, mark.pin);
       find("#probe-keys").focus();
     } else if (event.key === "Escape") {
-      if (!app.store.cancel(run)) {
+      if (!app.store.cancel(runs.name)) {
         app.ui.set({ line: null, pin: null });
         find("#probe-keys").focus();
       }
-      run = newRun("pin");
+      runs.renew();
     } else return;
     event.preventDefault();
     event.stopPropagation();

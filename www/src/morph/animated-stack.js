@@ -30,7 +30,7 @@ export function animatedStack(figure, { center: [x, y], scale }, { stages, close
  * @param {number[]} places ascending
  * @param {Motion} motion
  */
-export function animateThrough(name, values, places, motion) {
+function animateThrough(name, values, places, motion) {
   const swings = motion.repeat === "swing";
   const there = places.map((s) => shareAt(motion.easing, s));
   const times = swings ? [...there.map((t) => t / 2), ...there.slice(0, -1).reverse().map((t) => 1 - t / 2)] : there;

@@ -14,7 +14,7 @@ import { webm } from "./webm.js";
 import { words } from "./words.js";
 
 /** Most frames of a film, and most frames a second. */
-export const MOST_FILM_FRAMES = 1800;
+const MOST_FILM_FRAMES = 1800;
 export const RATES = /** @type {const} */ (["12", "24", "30", "60"]);
 /** Longest side of a film in pixels. */
 export const LARGEST_FILM = 1920;

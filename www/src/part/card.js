@@ -48,7 +48,7 @@ export function createCard() {
 }
 
 /** A reading as rows of the card. @param {WholePart} document @param {PartReading} reading */
-export function content({ bodies, materials = [], unit = "mm" }, { at, body, fractions, distances, nearest, isVoxel }) {
+function content({ bodies, materials = [], unit = "mm" }, { at, body, fractions, distances, nearest, isVoxel }) {
   const present = (fractions ?? []).flatMap((fraction, i) => (fraction < NOTHING ? [] : [{ fraction, material: materials[i] }]));
   const near = [...distances].sort((a, b) => a.distance - b.distance);
   return [

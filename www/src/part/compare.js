@@ -10,6 +10,7 @@
  * @typedef {{rule: Rule, raster: import("../../../js/directrix.js").PartRaster}} Result
  * @typedef {{document: WholePart, body: number, isFine: boolean}} Asked
  */
+import { ARROWS } from "../controls/arrows.js";
 import { checkBox } from "../controls/choices.js";
 import { select } from "../controls/select.js";
 import { attribute, h, write } from "../dom.js";
@@ -26,7 +27,7 @@ import { pixelAt } from "./reading.js";
 import { words } from "./words.js";
 
 /** The rules in the order in which they stand. */
-export const RULES = /** @type {const} */ (["repaired", "depth", "printed"]);
+const RULES = /** @type {const} */ (["repaired", "depth", "printed"]);
 /** Share of a picture that stays free at its edges. */
 const MARGIN = 0.03;
 /** Width of a picture over its height at most, and at least one over it. */
@@ -41,9 +42,6 @@ const NARROW = 560;
 const REST = 180;
 /** Share of the part that an arrow key with Shift moves the reading by. */
 const STEP = 0.02;
-
-/** @type {{[key: string]: Point}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** @param {Bench} bench */
 export function createCompare(bench) {

@@ -5,6 +5,7 @@
  * @import { PartReading } from "./reading.js"
  * @import { Bench } from "./state.js"
  */
+import { ARROWS, stride } from "../controls/arrows.js";
 import { h } from "../dom.js";
 import { Lane } from "../state/lane.js";
 import { toPlane, toScreen } from "../view.js";
@@ -16,9 +17,6 @@ import { words } from "./words.js";
 const REST = 600;
 /** CSS pixels of one arrow key; Shift and Alt make it ten times as much and a tenth. */
 const STEP = 10;
-
-/** @type {{[key: string]: Point}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** @param {Bench} bench */
 export function createProbe(bench) {
@@ -75,7 +73,7 @@ export function createProbe(bench) {
     if (event.key === "Escape" && at) hide();
     else if (arrow) {
       const from = at && isKeyed ? toScreen(view, size, at) : null;
-      const by = STEP * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+      const by = STEP * stride(event);
       const to = from ? [from[0] + arrow[0] * by, from[1] - arrow[1] * by] : [size.width / 2, size.height / 2];
       read(toPlane(view, size, [Math.min(size.width, Math.max(0, to[0])), Math.min(size.height, Math.max(0, to[1]))]), true);
     } else if (event.key === "Enter" && at && isKeyed) speak(at);

@@ -151,7 +151,7 @@ export class Body {
 }
 
 /** Every edge of a mesh once, as segments. @param {Pick<Whole, "positions" | "indices">} mesh */
-export function edgesOf({ positions, indices }) {
+function edgesOf({ positions, indices }) {
   const count = positions.length / 3;
   /** @type {Set<number>} */
   const known = new Set();

@@ -15,7 +15,7 @@ import { words } from "./words.js";
 const SHARE = 0.45;
 
 /** Whether the curves span a height: theirs differ, or points have heights of their own. @param {CurvesDocument} document */
-export function hasHeight({ curves }) {
+function hasHeight({ curves }) {
   return hasSpace({ curves }) || curves.some(({ height }) => height !== curves[0].height);
 }
 

@@ -57,7 +57,8 @@ export function listenToGestures(element, gestures) {
       const before = held.get(event.pointerId);
       const at = placeOf(event);
       if (!before) {
-        if (event.pointerType !== "touch") gestures.hover(at);
+        // With a button down something else is dragged across, such as a handle.
+        if (event.pointerType !== "touch") gestures.hover(event.buttons === 0 ? at : null);
         return;
       }
       const by = /** @type {Point} */ ([at[0] - before[0], at[1] - before[1]]);

@@ -13,27 +13,27 @@
  * @property {(steps: number) => void} step by keys: 1 is a step, 10 a long one, 0.1 a short one
  */
 import { DoubleSide, BufferAttribute, BufferGeometry, Mesh, MeshBasicMaterial } from "three";
-import { whileHeld } from "../controls/held.js";
-import { newRun } from "../controls/run.js";
-import { attribute, h, svg } from "../dom.js";
-import { seenAt, unitsPerPixel } from "./camera.js";
+import { attribute, svg } from "../dom.js";
+import { seenAt } from "./camera.js";
 import { planeAxes } from "./cut.js";
 import { Lines } from "./lines.js";
 import { extentAlong } from "./plane.js";
+import { SlideHandle } from "./slide-handle.js";
 import { add, between, scaled } from "./vector.js";
 
 /** How far the frame reaches beyond the body, as a share of the body, and the opacity of the plane. */
 const ROOM = 0.1;
 const FILL = 0.035;
-/** CSS pixels: the squares at the corners, the arrow with its head, and what it needs to have a direction. */
+/** The plane lies a little behind the face of the section, whose colours it would tint. */
+const BEHIND = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4 };
+/** CSS pixels: the squares at the corners, and the arrow with its head. */
 const SQUARE = 7;
 const ARROW = 46;
 const HEAD = 5;
-const LEAST = 4;
 
 export class PlaneMark {
   #geometry = new BufferGeometry();
-  #fill = new Mesh(this.#geometry, new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: DoubleSide }));
+  #fill = new Mesh(this.#geometry, new MeshBasicMaterial({ transparent: true, opacity: FILL, depthWrite: false, side: DoubleSide, ...BEHIND }));
   #outline = new Lines([], { color: "#4a45c8", width: 1, order: 30 });
   #squares = [0, 1, 2, 3].map(() => svg("rect", { class: "plane-square", width: SQUARE, height: SQUARE, rx: 1 }));
   #arrow = svg("path", { class: "plane-arrow" });
@@ -42,23 +42,16 @@ export class PlaneMark {
   #corners = [];
   /** @type {Plane | null} */
   #plane = null;
-  /** Pixels of the screen for a unit along the normal, at the handle. @type {Point} */
-  #direction = [0, 0];
+  #slide;
 
   /** @param {string} label @param {PlaneMoves} moves */
   constructor(label, moves) {
     this.objects = [this.#fill, this.#outline.object];
     this.#fill.renderOrder = 29;
     this.overlay = svg("svg", { class: "plane-marks", "aria-hidden": "true" }, this.#arrow, this.#head, ...this.#squares);
-    this.handle = h("button", { type: "button", class: "plane-handle", role: "slider", "aria-label": label, "data-plane-handle": "" });
-    this.handle.addEventListener("pointerdown", (down) => this.#hold(down, moves));
-    this.handle.addEventListener("keydown", (event) => {
-      const by = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
-      if (by === undefined || event.ctrlKey || event.metaKey) return;
-      event.preventDefault();
-      event.stopPropagation();
-      moves.step(by * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
-    });
+    // The arrow points to what is taken away, against the normal.
+    this.#slide = new SlideHandle(label, { "data-plane-handle": "" }, { ...moves, start: () => this.#plane && -this.#plane.offset, move: (place, run) => moves.move(-place, run) });
+    this.handle = this.#slide.element;
   }
 
   /**
@@ -117,15 +110,8 @@ export class PlaneMark {
     const sides = this.#corners.map((corner, i) => between(corner, this.#corners[(i + 1) % 4], 0.5));
     const places = sides.map((side) => seenAt(camera, frame, side).at);
     const best = places.reduce((k, [x], i) => (x > places[k][0] ? i : k), 0);
-    const { width, height } = frame.size;
-    const at = /** @type {Point} */ ([Math.min(width - 16, Math.max(16, places[best][0])), Math.min(height - 16, Math.max(16, places[best][1]))]);
-    const units = ARROW * unitsPerPixel(camera, frame);
-    const tip = seenAt(camera, frame, add(sides[best], scaled(plane.normal, -units))).at;
-    const by = /** @type {Point} */ ([tip[0] - places[best][0], tip[1] - places[best][1]]);
-    const length = Math.hypot(...by);
-    // Seen straight on, the arrow has no direction; then up is along the normal.
-    this.#direction = length < LEAST ? [0, -ARROW / units] : [-by[0] / units, -by[1] / units];
-    this.handle.style.transform = `translate(${at[0].toFixed(1)}px, ${at[1].toFixed(1)}px)`;
+    const { at: anchor, by, length } = this.#slide.aim(camera, frame, sides[best], scaled(plane.normal, -1), ARROW);
+    const at = this.#slide.put(anchor, frame);
     const end = /** @type {Point} */ ([at[0] + by[0], at[1] + by[1]]);
     const along = /** @type {Point} */ (length > 0 ? [-by[0] / length, -by[1] / length] : [0, -1]);
     for (const part of [this.#arrow, this.#head]) part.style.display = length < 2 * HEAD ? "none" : "";
@@ -137,30 +123,7 @@ export class PlaneMark {
 
   /** @param {string} text @param {number} now @param {[number, number]} extent */
   describe(text, now, extent) {
-    attribute(this.handle, "aria-valuetext", text);
-    attribute(this.handle, "aria-valuenow", String(now));
-    attribute(this.handle, "aria-valuemin", String(extent[0]));
-    attribute(this.handle, "aria-valuemax", String(extent[1]));
-  }
-
-  /** @param {PointerEvent} down @param {PlaneMoves} moves */
-  #hold(down, moves) {
-    const plane = this.#plane;
-    if (down.button !== 0 || !plane) return;
-    down.preventDefault();
-    down.stopPropagation();
-    this.handle.focus({ preventScroll: true });
-    const run = newRun("plane");
-    const [x, y] = this.#direction;
-    const start = plane.offset;
-    const from = [down.clientX, down.clientY];
-    whileHeld({
-      move: (event) => {
-        const [dx, dy] = [event.clientX - from[0], event.clientY - from[1]];
-        moves.move(start + (dx * x + dy * y) / (x * x + y * y), run);
-      },
-      finish: (undo) => (undo ? moves.undo(run) : moves.end(run)),
-    });
+    this.#slide.describe(text, now, extent);
   }
 
   dispose() {

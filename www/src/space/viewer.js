@@ -21,6 +21,7 @@
  * @property {() => void} speak says what is read in the middle
  * @property {() => Vector[]} hull the points that have to be seen
  * @property {() => Bounds | null} box of the body
+ * @property {() => Vector[]} [reach] points that are drawn besides, which need not be seen at once
  * @property {(at: Point, isMore: boolean) => void} [tap] besides reading the place; without it a second tap ends the reading
  * @property {() => void} [turned] the camera stands elsewhere
  * @property {() => void} [rested] the camera has been moved, and rests for now
@@ -35,7 +36,8 @@ import { PlaneMark } from "./plane-mark.js";
 import { Space } from "./space.js";
 import { createTriad } from "./triad.js";
 
-const ACCENT = { light: "#4a45c8", dark: "#a8a4ff" };
+/** The accent of lines by theme. */
+export const ACCENT = { light: "#4a45c8", dark: "#a8a4ff" };
 /** How far below the ground line the eye has to be for the shadow to go, as a share of the distance. */
 const GROUND = -0.02;
 /** Room round the body for its shadow, as a share of its longer side, and of that what is needed above and below. */
@@ -50,7 +52,7 @@ const FLAT = 0.1;
  * @param {ViewerActs} acts
  * @throws {import("./space.js").NoWebGl}
  */
-export function createViewer(app, words, { draw, read, speak, hull, box, tap, turned: hasTurned = () => {}, rested = () => {}, plane, oncontext }) {
+export function createViewer(app, words, { draw, read, speak, hull, box, reach = () => [], tap, turned: hasTurned = () => {}, rested = () => {}, plane, oncontext }) {
   const canvas = h("canvas", { class: "space-canvas", role: "img", "data-space": "" });
   const triad = createTriad();
   const mark = new PlaneMark(words.handle, plane);
@@ -97,7 +99,7 @@ export function createViewer(app, words, { draw, read, speak, hull, box, tap, tu
     if (!bounds) return;
     const { min, max } = bounds;
     const room = Math.max(max[0] - min[0], max[1] - min[1]) * ROOM;
-    const { corners } = mark;
+    const corners = [...mark.corners, ...reach()];
     const far = (/** @type {0 | 1 | 2} */ axis) => (axis === 2 ? room * FLAT : room);
     const least = (/** @type {0 | 1 | 2} */ axis) => Math.min(min[axis] - far(axis), ...corners.map((corner) => corner[axis]));
     const most = (/** @type {0 | 1 | 2} */ axis) => Math.max(max[axis] + far(axis), ...corners.map((corner) => corner[axis]));

@@ -12,6 +12,7 @@ import { curveName, pointName } from "../state/app.js";
 import { includes, isWhole, toggle } from "../state/selection.js";
 import { strings } from "../strings.js";
 import { toPlane } from "../view.js";
+import { words } from "./curve-words.js";
 import { chosenBy } from "./handle-keys.js";
 import { insertAt } from "./points.js";
 
@@ -52,7 +53,7 @@ export function openContextMenu(app, held, at, box) {
   if (held && held.point !== null) items.unshift(...selecting(app, held.curve, held.point, selection));
   const label =
     held === null
-      ? strings.canvas.menu
+      ? words.menu
       : held.point === null
         ? curveName(document, held.curve)
         : pointName(held.curve, held.point);
@@ -74,7 +75,7 @@ function selecting(app, curve, point, before) {
   return [
     {
       name: "select-add",
-      text: inside ? strings.curves.dropPoint : strings.curves.addPoint,
+      text: inside ? words.dropPoint : words.addPoint,
       act: () => {
         const selection = toggle(before, curve, point);
         app.ui.set({ selection });

@@ -22,12 +22,11 @@ import {
 import { isHarmonic } from "../state/look.js";
 import { allPoints, several, whole, within } from "../state/selection.js";
 import { strings } from "../strings.js";
+import { words } from "./curve-words.js";
 import { insertAfter, remove } from "./points.js";
 
 /** Distance of a smoothed curve from the one with corners, in parts of its diagonal. */
 const NEAR = 0.004;
-
-const words = strings.curves;
 
 /** @param {App} app @returns {Selection} */
 function chosen({ store, ui }) {
@@ -50,7 +49,7 @@ function commit(app, change, selection, said) {
 export function selectAll(app) {
   const selection = allPoints(app.store.document, chosen(app).curve);
   app.ui.set({ selection });
-  app.say(words.selected(selection.points.length));
+  app.say(strings.curves.selected(selection.points.length));
 }
 
 /** @param {App} app */
@@ -143,7 +142,7 @@ export function removeCurve(app) {
  */
 export function align(app, how) {
   const { curve, points } = chosen(app);
-  const said = words.alignments[how];
+  const said = strings.curves.alignments[how];
   commit(app, (document) => alignPoints(document, curve, points, how), chosen(app), said);
 }
 

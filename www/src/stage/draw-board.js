@@ -15,6 +15,7 @@
  * @property {(event: KeyboardEvent) => void} finish
  * @property {(at: Point) => void} set sets a point, where points can be set
  */
+import { ARROWS } from "../controls/arrows.js";
 import { attribute, h, svg } from "../dom.js";
 import { coordinate } from "../format.js";
 import { gridStep, panned, toPlane, toScreen } from "../view.js";
@@ -27,9 +28,6 @@ const EDGE = { side: 24, foot: 100 };
 /** Radius of the marks of points that are set, and of the first one where it closes what is drawn. */
 const DOT = 3.5;
 const FIRST = 6;
-
-/** @type {{[key: string]: Point}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
  * @param {App} app

@@ -6,13 +6,13 @@
 import { runCommand } from "../commands.js";
 import { find, h } from "../dom.js";
 import { strings } from "../strings.js";
+import { words } from "./empty-words.js";
 
 /**
  * @param {App} app
  * @param {{gallery: () => void, choose: () => void}} acts
  */
 export function createEmpty(app, { gallery, choose }) {
-  const words = strings.empty;
   /** @type {(name: string, text: string, act: () => void) => HTMLButtonElement} */
   const button = (name, text, act) =>
     h("button", { type: "button", class: name === "draw" ? "solid" : "outlined", "data-empty": name, onclick: act }, text);

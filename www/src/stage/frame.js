@@ -7,6 +7,7 @@
  * @typedef {"nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w"} Side
  * @typedef {{left: number, right: number, low: number, high: number}} Box
  */
+import { ARROWS, KeyRun, stride } from "../controls/arrows.js";
 import { newRun } from "../controls/run.js";
 import { attribute, find, h, svg } from "../dom.js";
 import { fixed, percent } from "../format.js";
@@ -26,14 +27,9 @@ const LEAST = 0.02;
 /** Degrees that Shift turns by, and those of an arrow key. */
 const SNAP = 15;
 const TURN = 1;
-/** Milliseconds between two keys of one run. */
-const PAUSE = 1000;
 
 /** Which edges a handle moves: -1 left or low, 1 right or high. @type {{[side in Side]: [number, number]}} */
 const SIDES = { nw: [-1, 1], n: [0, 1], ne: [1, 1], e: [1, 0], se: [1, -1], s: [0, -1], sw: [-1, -1], w: [-1, 0] };
-
-/** @type {{[key: string]: Point}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** @param {App} app */
 export function createFrame(app) {
@@ -58,8 +54,7 @@ export function createFrame(app) {
   );
   find("#overlay").after(element);
   let stop = 0;
-  let run = newRun("frame");
-  let last = 0;
+  const runs = new KeyRun("frame");
   /** The turn of a drag under way, which the frame follows. */
   let turned = 0;
   /** @type {{box: Box, selection: Selection} | null} the box before a drag, while it turns */
@@ -147,10 +142,8 @@ export function createFrame(app) {
     if (!selection || event.ctrlKey || event.metaKey) return;
     const arrow = ARROWS[event.key];
     if (arrow) {
-      const now = performance.now();
-      if (now - last > PAUSE) run = newRun("frame");
-      last = now;
-      const far = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
+      const run = runs.press();
+      const far = stride(event);
       const box = boxOf(app.store.document, selection);
       if (name === "turn") {
         const degrees = TURN * far * (arrow[0] + arrow[1] < 0 ? 1 : -1);
@@ -167,8 +160,8 @@ export function createFrame(app) {
       stop = (stop + (event.key === "PageDown" ? 1 : buttons.length - 1)) % buttons.length;
       render();
       buttons[stop].button.focus({ preventScroll: true });
-    } else if (event.key === "Escape" && app.store.cancel(run)) {
-      run = newRun("frame");
+    } else if (event.key === "Escape" && app.store.cancel(runs.name)) {
+      runs.renew();
     } else return;
     event.preventDefault();
     event.stopPropagation();
@@ -249,7 +242,7 @@ const centerOf = ({ left, right, low, high }) => [(left + right) / 2, (low + hig
  * @param {boolean} centred the other side moves as far
  * @returns {[number, number]}
  */
-export function factorsOf(side, box, by, proportion, centred) {
+function factorsOf(side, box, by, proportion, centred) {
   const [sx, sy] = SIDES[side];
   const [width, height] = [box.right - box.left, box.high - box.low];
   const twice = centred ? 2 : 1;

@@ -5,7 +5,7 @@
  * @import { CurvesDocument, Point, Selection } from "../types.js"
  * @import { Held } from "./handles.js"
  */
-import { newRun } from "../controls/run.js";
+import { ARROWS, KeyRun, stride } from "../controls/arrows.js";
 import { coordinate } from "../format.js";
 import { curveName, pointName } from "../state/app.js";
 import { handleCount, movePoints } from "../state/edits.js";
@@ -15,24 +15,17 @@ import { arrowStep } from "../view.js";
 import { pointBy } from "./point-keys.js";
 import { insertAfter, remove } from "./points.js";
 
-/** Milliseconds between two arrow keys that still belong to one run. */
-const PAUSE = 1000;
-
-/** @type {{[key: string]: Point}} */
-const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
 /**
  * @param {App} app
  * @param {ReturnType<typeof import("./handles.js").createHandles>} handles
  */
 export function listenToKeys(app, handles) {
-  let run = newRun("keys");
-  let last = 0;
+  const runs = new KeyRun("keys");
 
   handles.element.addEventListener("focusin", (event) => {
     const held = heldBy(event.target);
     if (!held) return;
-    run = newRun("keys");
+    runs.renew();
     const { selection } = app.ui.value;
     const { curve, point } = held;
     const kept = point === null ? isWhole(selection) && selection?.curve === curve : includes(selection, curve, point);
@@ -75,8 +68,8 @@ export function listenToKeys(app, handles) {
         refocus();
         return true;
       case "Escape":
-        if (!app.store.cancel(run)) return false;
-        run = newRun("keys");
+        if (!app.store.cancel(runs.name)) return false;
+        runs.renew();
         speak();
         return true;
       default:
@@ -91,10 +84,8 @@ export function listenToKeys(app, handles) {
   function move(arrow, event) {
     const { selection } = app.ui.value;
     if (!selection) return;
-    const now = performance.now();
-    if (now - last > PAUSE) run = newRun("keys");
-    last = now;
-    const by = arrowStep(app.store.document) * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+    const run = runs.press();
+    const by = arrowStep(app.store.document) * stride(event);
     app.store.commit({
       run,
       change: (document) =>

@@ -6,6 +6,7 @@
  *
  * @typedef {{curve: number, index: number}} Key
  */
+import { KeyRun, stride } from "../controls/arrows.js";
 import { whileHeld } from "../controls/held.js";
 import { newRun } from "../controls/run.js";
 import { fixed, percent } from "../format.js";
@@ -16,13 +17,10 @@ import { strings } from "../strings.js";
 
 /** Part of the domain that an arrow key slides a key. */
 const STEP = 0.01;
-/** Milliseconds between two arrow keys that still belong to one run. */
-const PAUSE = 1000;
 /** Pixels before a press counts as a drag. */
 const DEAD = 3;
 
-let run = newRun("key");
-let last = 0;
+const runs = new KeyRun("key");
 
 /** @param {App} app @param {Key} key */
 export function choose(app, { curve, index }) {
@@ -120,8 +118,8 @@ export function pressed(app, event, key) {
     case "Backspace":
       return remove(app, key);
     case "Escape": {
-      if (!app.store.cancel(run)) return null;
-      run = newRun("key");
+      if (!app.store.cancel(runs.name)) return null;
+      runs.renew();
       const back = chosen(Math.min(index, app.store.document.curves[curve].composition.length - 1));
       app.say(spokenKey(app.store.document, back));
       return back;
@@ -133,10 +131,8 @@ export function pressed(app, event, key) {
 
 /** @param {App} app @param {KeyboardEvent} event @param {Key} key @param {1 | -1} sign */
 function slideBy(app, event, key, sign) {
-  const now = performance.now();
-  if (now - last > PAUSE) run = newRun("key");
-  last = now;
-  const moved = slide(app, key, sign * STEP * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1), run);
+  const run = runs.press();
+  const moved = slide(app, key, sign * STEP * stride(event), run);
   app.say(spokenKey(app.store.document, moved));
   return moved;
 }
@@ -176,7 +172,7 @@ export function dragKey(app, down, key, fractionAt) {
  * @param {CurvesDocument} document
  * @param {number[]} mix
  */
-export const spokenMix = ({ materials }, mix) =>
+const spokenMix = ({ materials }, mix) =>
   mix.flatMap((part, i) => (part > 0 ? [strings.mixing.share(materials[i]?.name ?? "", percent(part))] : [])).join(", ");
 
 /**

@@ -191,7 +191,7 @@ function onInBetweens(document, match, [low, high], view, size, labels) {
   const blend = homogeneous(document);
   for (let j = stride; j < stages; j += stride) {
     const s = j / stages;
-    const parts = [` ${fixed(low + s * (high - low), 2)}`, ...(blend ? [strings.labels.share(blend.name, percent(blend.at(s)))] : [])];
+    const parts = [` ${fixed(low + s * (high - low), 2)}`, ...(blend ? [strings.mixing.share(blend.name, percent(blend.at(s)))] : [])];
     labels.push({ at: [ax + (bx - ax) * s, ay + (by - ay) * s], text: parts.join(" · "), isStage: true });
   }
 }

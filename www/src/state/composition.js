@@ -9,7 +9,7 @@ import { changeCurve } from "./edits.js";
 import { blended, written } from "./mix.js";
 
 /** Least distance between two keys: they do not pass each other. */
-export const KEY_GAP = 1e-6;
+const KEY_GAP = 1e-6;
 /** Decimals of a place. */
 const DECIMALS = 6;
 

@@ -66,16 +66,6 @@ export function placePoints(document, index, points, place) {
 /**
  * @param {CurvesDocument} document
  * @param {number} index
- * @param {number} point
- * @param {Point} to
- */
-export function movePoint(document, index, point, to) {
-  return placePoints(document, index, [point], () => to);
-}
-
-/**
- * @param {CurvesDocument} document
- * @param {number} index
  * @param {readonly number[]} points
  * @param {Point} by
  */

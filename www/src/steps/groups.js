@@ -19,6 +19,7 @@
  * @property {VertexSets | null} sets
  * @property {Prediction | null} prediction
  */
+import "../../styles/step-groups.css";
 import { h, write } from "../dom.js";
 import { fixed } from "../format.js";
 import { symbol } from "../icons.js";

@@ -20,6 +20,7 @@
  * @property {Vertex | null} aim the vertex under the pointer, or aimed at by a guess
  * @property {number | null} guess a wrong guess: vertex of the second curve
  */
+import "../../styles/step-picture.css";
 import { describe } from "../../../js/sentence.js";
 import { attribute, svg, write } from "../dom.js";
 import { ending, isOpen, outline, signedArea } from "../spline.js";

@@ -13,26 +13,24 @@
 import "../../styles/steps.css";
 import { attribute, h, write } from "../dom.js";
 import { advice, explain } from "../explain.js";
-import { milliseconds, significantText } from "../format.js";
-import { symbol } from "../icons.js";
 import { createGroups } from "../inspector/inspector.js";
-import { numberNode } from "../number-node.js";
 import { problem } from "../painter.js";
 import { fit } from "../stage/zoom.js";
 import { Lane } from "../state/lane.js";
-import { shownTotals } from "../state/lines.js";
 import { toScreen } from "../view.js";
-import { CODE, lineName, phaseAt, sceneAt, totalOf, vertexName } from "./film.js";
+import { createAsking } from "./asking.js";
+import { CODE, phaseAt, sceneAt, totalOf, vertexName } from "./film.js";
 import { createStepGroups } from "./groups.js";
+import { createKeyboard } from "./keys.js";
+import { createLegend } from "./legend.js";
 import { createPicture } from "./picture.js";
+import { createPlayer } from "./player.js";
 import { answered, begun, isHidden } from "./prediction.js";
+import { spokenAnswer, spokenScene, spokenSets } from "./spoken.js";
+import { renderStatus } from "./status.js";
 import { createTransport } from "./transport.js";
+import { nearestVertex, REACH } from "./vertices.js";
 import { words } from "./words.js";
-
-/** Milliseconds of a step at the speed 1. */
-const BEAT = 500;
-/** Distance of a press from a vertex, by pointer and by touch, CSS pixels. */
-const REACH = { mouse: 16, touch: 26 };
 
 /** Groups that are open, and the one on a phone, for as long as the page is open. */
 let memory = { open: ["growth", "step", "candidates"], tab: "step" };
@@ -54,46 +52,64 @@ export function createSteps(app, { stage, aside, status }) {
   let failure = "";
   let ms = 0;
   let at = ui.value.step;
-  let playing = false;
-  let speed = 1;
   /** The vertex that the person chose, in place of the one of the step. @type {Vertex | null} */
   let chosen = null;
   /** @type {Vertex | null} */
   let hovered = null;
   /** @type {Prediction | null} */
   let prediction = null;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
   /** @type {Map<string, VertexSets>} */
   const sets = new Map();
   /** What is said once the sets are there. @type {string | null} */
   let toSay = null;
 
   const picture = createPicture();
-  const legend = h("div", { class: "steps-legend", "data-steps-legend": "" });
+  const legend = createLegend();
   const message = h("p", { class: "steps-message", hidden: true });
-  const asking = h("div", { class: "steps-ask", "data-furniture": "", hidden: true });
-  const keyboard = h("div", {
-    id: "steps-keys",
-    class: "steps-keys",
-    tabIndex: 0,
-    role: "application",
-    "aria-label": words.keyboard,
-    "aria-describedby": "steps-help",
+  const asking = createAsking(() => goBy(1));
+  const keyboard = createKeyboard(aside, {
+    isReady: () => steps !== null,
+    isHidden: hidden,
+    moveAlong,
+    changeCurve,
+    goTo,
+    goBy,
+    toggle,
+    settle() {
+      if (!prediction) return false;
+      if (hidden()) void answer(aimed().vertex);
+      else goBy(1);
+      return true;
+    },
+    leave() {
+      if (!chosen && !prediction) return false;
+      if (chosen) follow();
+      else togglePrediction();
+      return true;
+    },
   });
-  const help = h("p", { id: "steps-help", class: "spoken" }, words.keyboardHelp);
+  const player = createPlayer(
+    () => {
+      goTo(at + 1);
+      return at < end();
+    },
+    () => {
+      say();
+      render();
+    },
+  );
   const transport = createTransport({
     goTo: (next) => {
-      pause();
+      player.pause();
       goTo(next);
     },
     goBy,
     toggle,
-    setSpeed: (value) => (speed = value),
+    setSpeed: (value) => (player.speed = value),
     togglePrediction,
   });
-  const foot = h("div", { class: "steps-foot" }, h("div", { class: "steps-head" }, legend, transport.predict), transport.element);
-  stage.append(/** @type {any} */ (picture.element), keyboard, help, message, asking, foot);
+  const foot = h("div", { class: "steps-foot" }, h("div", { class: "steps-head" }, legend.element, transport.predict), transport.element);
+  stage.append(/** @type {any} */ (picture.element), ...keyboard.elements, message, asking.element, foot);
   const groupsAt = h("div", { class: "steps-groups" });
   aside.append(groupsAt);
   const groups = createGroups(groupsAt, words.groups.region, createStepGroups(app, now, { goTo, follow }), {
@@ -142,12 +158,16 @@ export function createSteps(app, { stage, aside, status }) {
   function begin(document) {
     shown = document;
     sets.clear();
-    if (!steps || steps.growth.length === 0) pause();
+    if (!steps || steps.growth.length === 0) player.pause();
     prediction = prediction && steps ? begun(Math.min(at, steps.growth.length)) : null;
     const counts = steps?.samples.map(({ points }) => points.length) ?? [];
     if (chosen && chosen.vertex >= (counts[chosen.curve] ?? 0)) chosen = null;
     at = Math.min(ui.value.step, end());
     render();
+  }
+
+  function hidden() {
+    return steps !== null && isHidden(prediction, steps, at);
   }
 
   /** Asks for what the next step will show, so that playing does not blink. */
@@ -160,7 +180,6 @@ export function createSteps(app, { stage, aside, status }) {
   }
 
   const end = () => (steps ? totalOf(steps) : 0);
-  const hidden = () => steps !== null && isHidden(prediction, steps, at);
 
   /** The vertex whose sets are shown, and after how many lines. @returns {{vertex: Vertex, step: number, key: string} | null} */
   function focus() {
@@ -199,49 +218,30 @@ export function createSteps(app, { stage, aside, status }) {
     ui.set({ step: at, note: null });
     if (prediction) prediction = { ...prediction, aim: null, told: prediction.told?.at === at ? prediction.told : null };
     hovered = null;
-    if (!playing) say();
+    if (!player.playing) say();
     render();
   }
 
   /** @param {number} by */
   function goBy(by) {
-    pause();
+    player.pause();
     goTo(at + by);
   }
 
   function toggle() {
     if (!steps || steps.growth.length === 0) return;
-    if (playing) {
-      pause();
+    if (player.playing) {
+      player.pause();
       say();
       render();
     } else if (still.matches || prediction) {
       goTo(at === end() ? 0 : at + 1);
     } else {
       if (at === end()) goTo(0);
-      playing = true;
       app.say(words.playing);
-      beat();
+      player.play();
       render();
     }
-  }
-
-  function beat() {
-    timer = setTimeout(() => {
-      if (!playing) return;
-      goTo(at + 1);
-      if (at < end()) beat();
-      else {
-        pause();
-        say();
-        render();
-      }
-    }, BEAT / speed);
-  }
-
-  function pause() {
-    playing = false;
-    clearTimeout(timer);
   }
 
   function follow() {
@@ -259,7 +259,7 @@ export function createSteps(app, { stage, aside, status }) {
   }
 
   function togglePrediction() {
-    pause();
+    player.pause();
     if (!steps) return;
     if (prediction) {
       prediction = null;
@@ -273,7 +273,7 @@ export function createSteps(app, { stage, aside, status }) {
       prediction = begun(at);
       at += 1;
       ui.set({ step: at });
-      keyboard.focus({ preventScroll: true });
+      keyboard.focus();
       say();
     }
     render();
@@ -283,85 +283,42 @@ export function createSteps(app, { stage, aside, status }) {
   async function answer(guess) {
     const line = steps?.growth[at - 1];
     if (!steps || !line || !prediction || !hidden()) return;
-    const [asking, step] = [steps, at];
+    const [growing, step] = [steps, at];
     try {
       const found = await kernel.sets(/** @type {CurvesDocument} */ (shown), { step: step - 1, vertex: line.from });
-      if (steps !== asking || at !== step || !prediction || !hidden()) return;
+      if (steps !== growing || at !== step || !prediction || !hidden()) return;
       sets.set(`${step - 1} 0 ${line.from}`, found);
       prediction = answered(prediction, steps, step, found, guess);
       hovered = null;
-      app.say(told() ?? "");
+      app.say(spokenAnswer(prediction, steps, step) ?? "");
       render();
     } catch (error) {
       ui.set({ note: { tone: "error", text: problem(error).message } });
     }
   }
 
-  /** The last answer in words, while its step is shown. */
-  function told() {
-    const { told, right = 0, tries = 0 } = prediction ?? {};
-    const line = steps?.growth[at - 1];
-    if (!told || told.at !== at || !line) return null;
-    const [guess, q] = [vertexName(1, told.guess), vertexName(1, line.to)];
-    const text = told.kind === "right" ? words.right(q) : words.wrong[told.kind](guess, q);
-    return `${text} ${words.score(right, tries)}.`;
-  }
-
-  /** The step in words. */
-  function spoken() {
-    if (!steps) return words.noSteps;
-    const { scene } = /** @type {Now} */ (now());
-    const line = scene.chosen;
-    const f = line ? significantText(line.value) : "";
-    if (hidden()) return words.ask(vertexName(0, line?.from ?? 0));
-    switch (scene.phase) {
-      case "start":
-        return words.spoken.start;
-      case "growth":
-        return words.spoken.growth(line ? lineName(line) : "", f, scene.lines.length);
-      case "removal":
-        return words.spoken.removal(line ? lineName(line) : "", f);
-      case "end":
-        return words.spoken.end(scene.lines.length);
-      default: {
-        const curve = scene.phase === "first" ? 0 : 1;
-        return words.spoken.insert(curve, line ? vertexName(1 - curve, curve === 0 ? line.to : line.from) : "", f);
-      }
-    }
-  }
-
   function say() {
     toSay = null;
-    app.say(`${words.spokenStep(at, end())}: ${spoken()}`);
+    app.say(spoken());
+  }
+
+  /** The step in words, with its number. */
+  function spoken() {
+    const state = now();
+    return `${words.spokenStep(at, end())}: ${state ? spokenScene(state.scene, state.hidden) : words.noSteps}`;
   }
 
   /** Says what the chosen vertex sees and may have, once that is known. @param {string} key @param {VertexSets} found */
   function saySets(key, found) {
     if (toSay !== key || !chosen) return;
     toSay = null;
-    const { curve, vertex } = chosen;
-    const candidates = found.visible.filter(({ candidate }) => candidate);
-    const [best] = candidates;
-    const sentence = words.spoken.sets(vertexName(curve, vertex), found.visible.length, found.valid.length, candidates.length);
-    app.say(best ? `${sentence}, ${words.spoken.best(vertexName(1 - curve, best.vertex), significantText(best.value))}` : sentence);
+    app.say(spokenSets(chosen, found));
   }
 
-  /** The vertex nearest to a place on the screen. @param {Point} place @param {number} reach @returns {Vertex | null} */
+  /** The vertex that is meant by a place on the screen. @param {Point} place @param {number} reach */
   function under(place, reach) {
     const { view, size } = ui.value;
-    if (!view || !steps) return null;
-    /** @type {Vertex | null} */
-    let found = null;
-    let least = reach;
-    steps.samples.forEach(({ points }, curve) => {
-      if (hidden() && curve === 0) return;
-      points.forEach((point, vertex) => {
-        const [x, y] = toScreen(view, size, point);
-        const distance = Math.hypot(x - place[0], y - place[1]);
-        if (distance < least) [least, found] = [distance, { curve: curve === 0 ? 0 : 1, vertex }];
-      });
-    });
-    return found;
+    return view && steps ? nearestVertex(steps, view, size, place, hidden() ? [1] : [0, 1], reach) : null;
   }
 
   /** Chooses the next vertex along a curve, or aims at it. @param {number} by */
@@ -382,7 +339,7 @@ export function createSteps(app, { stage, aside, status }) {
     const { view, size } = ui.value;
     const start = steps?.growth[at - 1]?.from;
     const point = start === undefined ? undefined : steps?.samples[0]?.points[start];
-    const near = prediction?.aim ?? (view && point ? under(toScreen(view, size, point), Infinity)?.vertex : null);
+    const near = prediction?.aim ?? (steps && view && point ? nearestVertex(steps, view, size, toScreen(view, size, point), [1])?.vertex : null);
     return { curve: 1, vertex: near ?? 0 };
   }
 
@@ -395,12 +352,8 @@ export function createSteps(app, { stage, aside, status }) {
     const curve = from.curve === 0 ? 1 : 0;
     const isOwn = line && (from.curve === 0 ? line.from : line.to) === from.vertex;
     if (line && isOwn) return choose({ curve, vertex: curve === 0 ? line.from : line.to });
-    const [x, y] = toScreen(view, size, steps.samples[from.curve]?.points[from.vertex] ?? [0, 0]);
-    const distances = (steps.samples[curve]?.points ?? []).map((point) => {
-      const [px, py] = toScreen(view, size, point);
-      return Math.hypot(px - x, py - y);
-    });
-    choose({ curve, vertex: distances.indexOf(Math.min(...distances)) });
+    const place = toScreen(view, size, steps.samples[from.curve]?.points[from.vertex] ?? [0, 0]);
+    choose(nearestVertex(steps, view, size, place, [curve]));
   }
 
   /** @type {Tool} */
@@ -413,8 +366,7 @@ export function createSteps(app, { stage, aside, status }) {
     },
     tap(place, event) {
       const vertex = under(place, event.pointerType === "touch" ? REACH.touch : REACH.mouse);
-      keyboard.focus({ preventScroll: true });
-      keyboard.classList.remove("keyed");
+      keyboard.take();
       if (hidden()) {
         if (vertex) void answer(vertex.vertex);
         return;
@@ -429,38 +381,6 @@ export function createSteps(app, { stage, aside, status }) {
       if (app.tool === tool) app.tool = null;
     },
   };
-
-  const over = new AbortController();
-  addEventListener("keydown", key, { signal: over.signal });
-
-  /** @param {KeyboardEvent} event */
-  function key(event) {
-    keyboard.classList.add("keyed");
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || !steps) return;
-    const target = event.target instanceof Element ? event.target : null;
-    if (target?.closest("input, select, textarea, [data-panel], [role=menu], [role=tab]")) return;
-    const onButton = target !== null && target.closest("button, a") !== null;
-    const onCanvas = target === keyboard;
-    const inAside = target !== null && aside.contains(target);
-    const along = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (along !== undefined) {
-      if (onCanvas || hidden()) moveAlong(along);
-      else goBy(along);
-    } else if ((event.key === "ArrowUp" || event.key === "ArrowDown") && onCanvas) changeCurve();
-    else if (event.key === "PageDown" && !inAside) goBy(1);
-    else if (event.key === "PageUp" && !inAside) goBy(-1);
-    else if (event.key === "Home" && !inAside) goTo(0);
-    else if (event.key === "End" && !inAside) goTo(Infinity);
-    else if (event.key === " " && !onButton) toggle();
-    else if (event.key === "Enter" && !onButton && prediction) {
-      if (hidden()) void answer(aimed().vertex);
-      else goBy(1);
-    } else if (event.key === "Escape" && (chosen || prediction)) {
-      if (chosen) follow();
-      else togglePrediction();
-    } else return;
-    event.preventDefault();
-  }
 
   // The lower edge is this view's own from now on.
   requestAnimationFrame(() => {
@@ -500,18 +420,18 @@ export function createSteps(app, { stage, aside, status }) {
       const guess = prediction?.told?.at === at && prediction.told.kind !== "right" ? prediction.told.guess : null;
       const ownEnd = hidden() && state.scene.chosen ? { curve: /** @type {const} */ (0), vertex: state.scene.chosen.from ?? 0 } : null;
       picture.draw({ view, size, document: shown, steps: state.steps, scene: state.scene, hidden: state.hidden, focus: state.focus ?? ownEnd, sets: state.sets, aim, guess });
-      const text = `${words.spokenStep(at, end())}: ${spoken()}`;
+      const text = spoken();
       attribute(picture.element, "aria-label", words.picture(document.title, text));
-      transport.render({ steps: state.steps, at, total: end(), text, playing, still: still.matches, predicting: prediction !== null });
-      drawLegend(state);
+      transport.render({ steps: state.steps, at, total: end(), text, playing: player.playing, still: still.matches, predicting: prediction !== null });
+      legend.render(state);
     }
     stage.dataset.step = String(at);
     stage.dataset.phase = state?.scene.phase ?? "";
     stage.dataset.hidden = String(hidden());
     stage.parentElement?.classList.toggle("steps-hover", hovered !== null);
-    drawAsking();
+    asking.render(prediction, steps, at);
     groups.render();
-    drawStatus(state);
+    renderStatus(status, { now: state, why: why(), isFailure: failure !== "", note: ui.value.note, ms });
   }
 
   /** Why there is nothing to show. */
@@ -522,101 +442,11 @@ export function createSteps(app, { stage, aside, status }) {
     return advice(steps) || words.noSteps;
   }
 
-  let askingDrawn = "";
-  function drawAsking() {
-    const line = steps?.growth[at - 1];
-    const text = hidden() && line ? words.askShort(vertexName(0, line.from)) : told();
-    asking.hidden = !prediction || !text;
-    const key = `${text} ${hidden()}`;
-    if (asking.hidden || key === askingDrawn) return;
-    askingDrawn = key;
-    const isNext = !hidden() && steps !== null && at < steps.growth.length;
-    const verdict = prediction?.told && !hidden() ? (prediction.told.kind === "right" ? "right" : "wrong") : "";
-    asking.dataset.verdict = verdict;
-    asking.replaceChildren(
-      h("span", {}, text ?? ""),
-      ...(isNext ? [h("button", { type: "button", class: "command-word", "data-steps": "next", onclick: () => goBy(1) }, words.next)] : []),
-    );
-  }
-
-  let legendDrawn = "";
-  /** @param {Now} state */
-  function drawLegend({ scene, sets: found, focus: on, hidden: isSecret }) {
-    const key = JSON.stringify([at, isSecret, on, found?.visible.length, scene.lines.length]);
-    if (key === legendDrawn) return;
-    legendDrawn = key;
-    const item = (/** @type {string} */ mark, /** @type {number | null} */ count, /** @type {string} */ text) =>
-      h("span", { class: "steps-key", "data-key": mark }, h("i", { class: `key-${mark}` }), ...(count === null ? [] : [h("span", { class: "strong number" }, String(count))]), h("span", {}, text));
-    const l = words.legend;
-    const items = [];
-    if (scene.phase === "growth" || scene.phase === "start") items.push(item("accepted", scene.lines.length, l.accepted(scene.lines.length)));
-    else items.push(item("accepted", scene.lines.length - scene.redundant.length, l.lines(scene.lines.length - scene.redundant.length)));
-    if (found && on) {
-      const candidates = found.visible.filter(({ candidate }) => candidate).length;
-      items.push(
-        item("visible", found.visible.length, l.visible(vertexName(on.curve, on.vertex))),
-        item("valid", found.valid.length, l.valid(found.valid.length)),
-        item("candidates", candidates, l.candidates(candidates)),
-      );
-    }
-    if (scene.phase === "removal") items.push(item("redundant", scene.redundant.length, l.redundant));
-    if (scene.left) items.push(item("left", null, l.from));
-    if (scene.chosen && !isSecret) {
-      const text = { removal: l.removed, first: l.moved, second: l.moved, growth: l.winner, start: l.winner, end: l.winner }[scene.phase];
-      items.push(item("winner", 1, text));
-    }
-    legend.replaceChildren(...items);
-  }
-
-  let statusDrawn = "";
-  /** @param {Now | null} state */
-  function drawStatus(state) {
-    const { note } = ui.value;
-    const totals = state && (state.scene.phase === "end" ? shownTotals(state.steps) : null);
-    const lines = state ? [...state.scene.lines, ...(state.scene.chosen && state.scene.phase !== "removal" && !state.hidden && state.scene.phase !== "growth" ? [state.scene.chosen] : [])] : [];
-    const key = JSON.stringify([at, state?.hidden, lines.length, ms, note, failure, why()]);
-    if (key === statusDrawn && status.childElementCount > 0) return;
-    statusDrawn = key;
-    const item = (/** @type {string} */ name, /** @type {(string | Node)[]} */ ...parts) => h("span", { class: "item", "data-total": name }, ...parts);
-    const strong = (/** @type {string | Node} */ text) => h("span", { class: "strong number" }, text);
-    const w = words.status;
-    const [a = 0, b = 0] = state ? state.scene.degrees.map((each, curve) => each.filter((degree, k) => degree - ownEnd(state, curve, k) === 0).length) : [];
-    const left =
-      !state || lines.length === undefined || foot.hidden
-        ? [h("span", { class: failure ? "failed reason" : "" }, why() || words.loading)]
-        : [
-            item("lines", strong(String(lines.length)), h("span", {}, w.lines(lines.length))),
-            item("sum", h("span", {}, w.sum), symbol("f"), strong(numberNode(lines.reduce((sum, { value }) => sum + value, 0)))),
-            ...(totals
-              ? [
-                  item("crossings", h("span", {}, w.crossings), strong(String(totals.crossings))),
-                  item("blocked", h("span", {}, w.blocked), strong(String(totals.blocked))),
-                ]
-              : []),
-            ...(state.scene.phase === "end" && state.steps.pairs.length > 0
-              ? []
-              : [item("uncovered", h("span", {}, w.uncovered), strong(a + b === 0 ? "0" : `${a} + ${b}`))]),
-          ];
-    const right = note
-      ? [h("span", { class: note.tone === "error" ? "failed reason" : "" }, note.text)]
-      : state && !foot.hidden
-        ? [h("span", { class: "number" }, `${w.trace(end())} · ${milliseconds(ms)} ${w.ms}`)]
-        : [];
-    status.replaceChildren(h("div", { class: "certificates" }, ...left), h("div", { class: "remark" }, ...right));
-    status.dataset.verdict = failure ? "error" : "steps";
-  }
-
-  /** 1 where the line of a growing step ends, which is not accepted yet. @param {Now} state @param {number} curve @param {number} vertex */
-  function ownEnd({ scene }, curve, vertex) {
-    if (scene.phase !== "growth" || !scene.chosen) return 0;
-    return (curve === 0 ? scene.chosen.from : scene.chosen.to) === vertex ? 1 : 0;
-  }
-
   return {
     render,
     close() {
-      pause();
-      over.abort();
+      player.pause();
+      keyboard.close();
       lane.cancel();
       setsLane.cancel();
       tool.close();

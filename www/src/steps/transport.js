@@ -10,6 +10,7 @@
  * @property {(speed: number) => void} setSpeed
  * @property {() => void} togglePrediction
  */
+import "../../styles/step-controls.css";
 import { slider } from "../controls/slider.js";
 import { attribute, h, svg, write } from "../dom.js";
 import { icon } from "../icons.js";
@@ -17,7 +18,7 @@ import { phaseAt, values } from "./film.js";
 import { words } from "./words.js";
 
 /** Lines a second at each speed are twice these. */
-export const SPEEDS = [0.5, 1, 2, 4, 8];
+const SPEEDS = [0.5, 1, 2, 4, 8];
 /** Height of the highest bar and least height of one, CSS pixels. */
 const HIGHEST = 20;
 const LOWEST = 2;

@@ -37,7 +37,6 @@ export const words = {
     candidates: "Candidates",
     accepted: "Accepted lines",
     optimum: "Compare with the exact optimum",
-    short: "Optimum",
   },
   heuristic: "heuristic",
 
@@ -129,7 +128,6 @@ export const words = {
     removed: "removed",
     moved: "moved",
     from: "from",
-    guess: "your line",
   },
 
   status: {

@@ -20,11 +20,11 @@
  *
  * @typedef {ReturnType<typeof createDesk>} Desk
  */
-import { strings } from "../strings.js";
 import { claim } from "./claims.js";
 import { Conflict, put, putFile, read } from "./shelf.js";
 import { thumbnails } from "./thumbnail.js";
 import { token } from "./token.js";
+import { words } from "./words.js";
 
 /** Milliseconds that a page waits for its former self, or for a closing tab, to let go of a document. */
 const LETTING_GO = 1500;
@@ -36,7 +36,7 @@ const writerOf = (stamp) => stamp.split(".", 1)[0] ?? "";
 
 /** The title of a copy, within the length that the format allows. @param {string} title */
 export function copyTitle(title) {
-  const marked = strings.storage.copyOf(title);
+  const marked = words.copyOf(title);
   return marked.length > LONGEST_TITLE ? title : marked;
 }
 
@@ -103,7 +103,7 @@ export function createDesk(app, writer, former) {
     async resume(origin) {
       const id = origin.id ?? "";
       if (!(await take(id, LETTING_GO))) {
-        becomeCopy(origin, strings.storage.openElsewhere);
+        becomeCopy(origin, words.openElsewhere);
         return;
       }
       const found = await read(id);
@@ -132,7 +132,7 @@ export function createDesk(app, writer, former) {
           return;
         } catch (error) {
           if (!(error instanceof Conflict)) throw error;
-          becomeCopy(origin, strings.storage.changedElsewhere);
+          becomeCopy(origin, words.changedElsewhere);
           body = { ...body, title: copyTitle(body.title) };
           edited = true;
         }

@@ -7,9 +7,9 @@
  * @import { Head, Version } from "./records.js"
  */
 import { openDocument, refuse } from "../files/open.js";
-import { strings } from "../strings.js";
 import { copyTitle } from "./desk.js";
 import { list, read, readVersion } from "./shelf.js";
+import { words } from "./words.js";
 
 /** Milliseconds that a file waits for the storage before it is opened. */
 const PATIENCE = 1000;
@@ -25,13 +25,13 @@ export function openKept(app, { id, title }) {
     const free = await desk.take(id);
     const found = await read(id);
     if (!found) {
-      refuse(app, title, strings.storage.gone);
+      refuse(app, title, words.gone);
       return false;
     }
     const { head, body, handle } = found;
     if (!free) {
       const opened = await openDocument(app, renamed(body, copyTitle(title)), title, { edited: true });
-      if (opened) tell(app, strings.storage.openElsewhere(title));
+      if (opened) tell(app, words.openElsewhere(title));
       return opened;
     }
     const origin = { id, stamp: head.stamp, file: head.file, modified: head.modified, handle };
@@ -49,7 +49,7 @@ export function openKept(app, { id, title }) {
 export async function openVersion(app, { id, title }, { time }) {
   const body = await readVersion(id, time);
   if (body !== undefined) return openDocument(app, renamed(body, copyTitle(title)), title, { edited: true });
-  refuse(app, title, strings.storage.gone);
+  refuse(app, title, words.gone);
   return false;
 }
 

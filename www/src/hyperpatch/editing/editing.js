@@ -27,7 +27,7 @@ import { createRefusal } from "./refusal.js";
 const FACES = /** @type {const} */ (["u0", "u1", "v0", "v1", "w0", "w1"]);
 
 /** The face of a cell that parameters lie nearest to. @param {readonly number[]} uvw @returns {FaceName} */
-export function nearestFace(uvw) {
+function nearestFace(uvw) {
   const far = FACES.map((face) => Math.abs(uvw["uvw".indexOf(face[0])] - Number(face[1])));
   return FACES[far.indexOf(Math.min(...far))];
 }

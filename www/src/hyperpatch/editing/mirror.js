@@ -14,7 +14,7 @@ import { placeOf } from "../cell.js";
 const NEAR = 1e-6;
 
 /** @param {readonly number[]} point @param {Mirror} mirror @returns {Vector} */
-export const mirroredPoint = (point, { axis, at }) => /** @type {Vector} */ (point.map((value, k) => (k === axis ? 2 * at - value : value)));
+const mirroredPoint = (point, { axis, at }) => /** @type {Vector} */ (point.map((value, k) => (k === axis ? 2 * at - value : value)));
 
 /** @param {readonly number[]} way @param {Axis} axis @returns {Vector} */
 export const mirroredWay = (way, axis) => /** @type {Vector} */ (way.map((value, k) => (k === axis ? 0 - value : value)));

@@ -36,7 +36,6 @@ export const words = {
   withinLabel: "Greatest distance of the boundary from the shape",
   remove: "Remove piece",
   add: "Add piece",
-  addLine: "What of the boundary lies on a shape has a condition of its own",
   noPiece: "Draw a shape along the boundary first",
   elements: "Elements",
   elementsLabel: "Elements of the boundary, about",

@@ -17,9 +17,9 @@ export const BODY_LIMIT = 64;
 /** Largest length of the format. */
 export const FAR = 1e9;
 /** Most keys of a piecewise course. */
-export const KEY_LIMIT = 1000;
+const KEY_LIMIT = 1000;
 /** Shares of the way that two neighbouring keys keep between them. */
-export const KEY_GAP = 0.001;
+const KEY_GAP = 0.001;
 
 /** The queue of a body. @param {PartBody | undefined} body @returns {readonly PartFeature[]} */
 export const queueOf = (body) => body?.features ?? [];
@@ -52,7 +52,7 @@ export function changeBody(document, index, change) {
  * @param {(feature: PartFeature) => PartFeature} change
  * @returns {WholePart}
  */
-export function changeFeature(document, at, change) {
+function changeFeature(document, at, change) {
   return changeBody(document, at.body, (body) => {
     const feature = queueOf(body)[at.feature];
     if (!feature) return body;
@@ -247,7 +247,7 @@ export function firstCourse(kind, feature, mixAt) {
 }
 
 /** A course as the text of an expression, so that typing goes on from what is there; t where there is no such text. @param {PartCourse} course */
-export function expressionOf(course) {
+function expressionOf(course) {
   switch (course.kind) {
     case "power":
       return `t^${course.power}`;
@@ -310,28 +310,6 @@ export function removeKey(document, at, index) {
   const keys = keysOf(featureAt(document, at));
   if (keys.length < 2 || !keys[index]) return document;
   return setCourse(document, at, { kind: "piecewise", keys: keys.filter((_, k) => k !== index) });
-}
-
-/**
- * Leaves a feature with some of the materials: the others get the fraction 0 in all its mixes, and what is left is shared in proportion.
- * @param {WholePart} document
- * @param {At} at
- * @param {readonly number[]} kept indices, at least one
- */
-export function keepMaterials(document, at, kept) {
-  if (kept.length === 0) return document;
-  const within = (/** @type {number[]} */ mix) => {
-    const some = mix.map((fraction, k) => (kept.includes(k) ? fraction : 0));
-    return some.some((fraction) => fraction > 0) ? written(some) : pure(kept[0], mix.length);
-  };
-  return changeMixes(document, at, within);
-}
-
-/** @param {WholePart} document @param {At} at @param {(mix: number[]) => number[]} change */
-function changeMixes(document, at, change) {
-  const feature = featureAt(document, at);
-  if (!feature) return document;
-  return patchFeature(document, at, withMixes(feature, change));
 }
 
 /**

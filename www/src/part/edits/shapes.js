@@ -15,7 +15,7 @@ import { withConditions } from "./conditions.js";
 import { countOf, directionAt, FAR, handleCount, isClamped, isClosed, isReach, kept, keptPoint } from "../shapes/geometry.js";
 
 /** Limits of the format. */
-export const MOST_SHAPES = 500;
+const MOST_SHAPES = 500;
 export const MOST_POINTS = 10_000;
 export const MOST_BODIES = 64;
 export const MOST_HOLES = 100;
@@ -82,18 +82,7 @@ function withPoints(shape, place) {
   }
 }
 
-/**
- * Moves points of a shape. The rim of a circle and the direction of a line are no points, and stay.
- * @param {WholePart} document
- * @param {string} name
- * @param {readonly number[]} points their handles
- * @param {Point} by
- */
-export function movePoints(document, name, points, by) {
-  return changeShape(document, name, (shape) => withPoints(shape, (at, i) => (points.includes(i) ? [at[0] + by[0], at[1] + by[1]] : at)));
-}
-
-/** Moves a whole shape. @param {WholePart} document @param {string} name @param {Point} by */
+/** Moves a whole shape; the rim of a circle and the direction of a line are no points, and stay. @param {WholePart} document @param {string} name @param {Point} by */
 export function moveShape(document, name, by) {
   return changeShape(document, name, (shape) => withPoints(shape, ([x, y]) => [x + by[0], y + by[1]]));
 }

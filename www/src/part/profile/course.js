@@ -27,7 +27,7 @@ let last = { text: "", value: null };
  * @param {number} t
  * @param {number} distance
  */
-export function shareAt(course, t, distance) {
+function shareAt(course, t, distance) {
   switch (course.kind) {
     case "power":
       return t ** course.power;

@@ -34,7 +34,7 @@ const MIXTURE = "mixture";
 const COURSES = /** @type {PartCourse["kind"][]} */ (Object.keys(words.courses));
 
 /** @param {Bench} bench @returns {At | null} the chosen feature, where there is one */
-export function chosenFeature(bench) {
+function chosenFeature(bench) {
   const { document, shown } = bench.now();
   const at = shown.body !== null && shown.feature !== null ? { body: shown.body, feature: shown.feature } : null;
   return at && featureAt(document, at) ? at : null;

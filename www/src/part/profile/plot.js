@@ -32,6 +32,7 @@
  * @property {(distance: number) => void} insert
  * @property {(id: HandleId) => void} remove
  */
+import { ARROWS, KeyRun, stride } from "../../controls/arrows.js";
 import { whileHeld } from "../../controls/held.js";
 import { newRun } from "../../controls/run.js";
 import { attribute, h, svg } from "../../dom.js";
@@ -52,8 +53,6 @@ const STOPS = 60;
 const REACH = { mouse: 14, touch: 24 };
 /** What a press on a limit counts as farther away, so that handles on it come first. */
 const BEHIND = 5;
-/** Milliseconds between two arrow keys that still belong to one run. */
-const PAUSE = 1000;
 /** Step of a fraction by drag and by key. */
 const SHARE = 0.01;
 
@@ -79,8 +78,7 @@ export function createPlot(moves) {
   let scales = scalesOf(272, reachOf(1));
   /** The axis while a limit is dragged: it would run away under the pointer. @type {{tick: number, most: number} | null} */
   let held = null;
-  let run = newRun("profile");
-  let last = 0;
+  const runs = new KeyRun("profile");
   let drawn = "";
 
   new ResizeObserver(() => plotted && render(plotted)).observe(element);
@@ -146,13 +144,11 @@ export function createPlot(moves) {
   /** @param {KeyboardEvent} event @param {HandleId} which */
   function pressed(event, which) {
     const handle = handles.find((each) => each.id === which);
-    const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const arrow = ARROWS[event.key];
     if (!handle || event.ctrlKey || event.metaKey) return false;
     if (arrow) {
-      const now = performance.now();
-      if (now - last > PAUSE) run = newRun("profile");
-      last = now;
-      const factor = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
+      const run = runs.press();
+      const factor = stride(event);
       const [across, up] = handle.isLimit ? [arrow[0] || arrow[1], 0] : arrow;
       const distance = Number((handle.distance + across * factor * nice(scales.most / 200)).toPrecision(9));
       moves.move(which, { distance, fraction: Number((handle.fraction + up * factor * SHARE).toFixed(6)) }, run);
@@ -177,8 +173,8 @@ export function createPlot(moves) {
       return true;
     }
     if (event.key === "Escape") {
-      moves.cancel(run);
-      run = newRun("profile");
+      moves.cancel(runs.name);
+      runs.renew();
       return true;
     }
     return false;
@@ -197,7 +193,7 @@ export function createPlot(moves) {
       event.stopPropagation();
     });
     node.addEventListener("blur", () => {
-      run = newRun("profile");
+      runs.renew();
       moves.end();
     });
     return node;

@@ -5,29 +5,25 @@
  * @import { Bench } from "../state.js"
  * @import { Held } from "./places.js"
  */
-import { newRun } from "../../controls/run.js";
+import { ARROWS, KeyRun, stride } from "../../controls/arrows.js";
 import { pointBy } from "../../stage/point-keys.js";
 import { shapeNames, shapeOf } from "../edits/shapes.js";
 import { handleCount } from "./geometry.js";
 import { heldBy } from "./handles.js";
 import { insertAfter, removePoint, removeShape } from "./insert.js";
-import { ARROWS, nudged, spokenPlace } from "./moves.js";
-
-/** Milliseconds between two arrow keys that still belong to one run. */
-const PAUSE = 1000;
+import { nudged, spokenPlace } from "./moves.js";
 
 /**
  * @param {Bench} bench
  * @param {ReturnType<typeof import("./handles.js").createHandles>} handles
  */
 export function listenToKeys(bench, handles) {
-  let run = newRun("shape keys");
-  let last = 0;
+  const runs = new KeyRun("shape keys");
 
   handles.element.addEventListener("focusin", (event) => {
     const held = heldBy(event.target);
     if (!held) return;
-    run = newRun("shape keys");
+    runs.renew();
     const { shape, point } = bench.now().shown;
     if (shape !== held.shape || point !== held.point) bench.change(held);
   });
@@ -73,8 +69,8 @@ export function listenToKeys(bench, handles) {
         }
         return true;
       case "Escape":
-        if (!bench.app.store.cancel(run)) return false;
-        run = newRun("shape keys");
+        if (!bench.app.store.cancel(runs.name)) return false;
+        runs.renew();
         speak(held);
         return true;
       default:
@@ -84,10 +80,8 @@ export function listenToKeys(bench, handles) {
 
   /** @param {Held} held @param {Point} arrow @param {KeyboardEvent} event */
   function move(held, arrow, event) {
-    const now = performance.now();
-    if (now - last > PAUSE) run = newRun("shape keys");
-    last = now;
-    bench.commit((document) => nudged(document, held, arrow, event.shiftKey ? 10 : event.altKey ? 0.1 : 1), run);
+    const run = runs.press();
+    bench.commit((document) => nudged(document, held, arrow, stride(event)), run);
     speak(held);
   }
 

@@ -21,9 +21,6 @@ const TURNS = 15;
 const TURN = 1;
 const DECIMALS = 1;
 
-/** @type {{[key: string]: Point}} */
-export const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
 /** The step of the grid that counts now, or null. @param {Bench} bench @param {boolean} invert whether Control is held */
 function stepNow(bench, invert) {
   const step = bench.step();
@@ -85,7 +82,7 @@ export function restedAngle(bench, degrees, invert) {
 }
 
 /** The angle from one place to another, degrees. @param {Point} from @param {Point} to */
-export const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
+const angleTo = (from, to) => (Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI;
 
 /** Whether the outline of a body takes its holes and references along, for as long as the page is open. */
 export const along = { isOn: false };

@@ -86,7 +86,7 @@ export function controlPath(view, size, shape) {
  * @param {number} reach pixels beyond which the answer may be Infinity
  * @returns {number} pixels
  */
-export function distanceTo(view, size, shape, at, reach) {
+function distanceTo(view, size, shape, at, reach) {
   const place = toPlane(view, size, at);
   if (shape.kind === "line") {
     const [ux, uy] = unitOf(shape);

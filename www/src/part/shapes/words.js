@@ -37,7 +37,6 @@ export const words = {
     deleted: (/** @type {string} */ name) => `Deleted ${name}`,
     mostPoints: "The shapes of a part have 10 000 points at most",
     mostShapes: "A part has 500 shapes at most",
-    mostBodies: "A part has 64 bodies at most",
   },
   group: {
     heading: "Shape",

@@ -251,7 +251,7 @@ const BAND = 0.25;
  * @param {string | null} shape what it is measured to; null for the boundary of its body
  * @returns {PartFeature}
  */
-export function firstFeature(document, body, shape) {
+function firstFeature(document, body, shape) {
   const standard = defaultOf(document, body);
   const most = standard.indexOf(Math.max(...standard));
   const count = standard.length;

@@ -1,0 +1,67 @@
+/**
+ * Bodies that share nothing with the one that is open: an STL of the person's own, and a named shape after one. They come with a first problem, in one edit.
+ *
+ * @import { Bench } from "./state.js"
+ * @import { Model } from "./document.js"
+ */
+import { problem } from "../painter.js";
+import { strings } from "../strings.js";
+import { fixed } from "../format.js";
+import { withModel } from "./edits.js";
+import { firstProblem } from "./first-problem.js";
+import { words } from "./words.js";
+
+/** Bytes of a file at most: a text of as many triangles as the solver takes stays below. */
+const MOST_BYTES = 16 << 20;
+/** Letters of a title, as in docs/format.md. */
+const MOST_LETTERS = 200;
+
+/**
+ * Takes a body with a first problem.
+ * @param {Bench} bench
+ * @param {Model} model
+ * @param {string} title
+ * @returns {Promise<string>} what was set, in words
+ * @throws {Error} where the kernel cannot read the body at all; then nothing has changed
+ */
+export async function takeBody(bench, model, title) {
+  const { section: _section, ...document } = withModel(bench.now().document, model);
+  const boundary = await bench.app.kernel.boundary(/** @type {any} */ ({ ...document, groups: [] }));
+  let told = "";
+  bench.commit((now) => {
+    const first = firstProblem(now, model, boundary, title.slice(0, MOST_LETTERS));
+    told = first.told;
+    return first.document;
+  });
+  bench.seeAnew();
+  return told;
+}
+
+/**
+ * Opens an STL. Whatever is wrong with it, the problem that was open stays.
+ * @param {Bench} bench
+ * @param {File} file
+ * @returns {Promise<{isOpen: boolean, text: string}>} what is said of it: the problem that it has now, or why it was refused
+ */
+export async function openStl(bench, file) {
+  const text = words.model;
+  try {
+    if (file.size > MOST_BYTES) throw new Error(text.tooLarge(Math.round(file.size / 2 ** 20), MOST_BYTES >> 20));
+    const found = await bench.app.kernel.readMesh(await file.arrayBuffer());
+    const model = { kind: "mesh", vertices: threes(found.vertices), triangles: threes(found.triangles) };
+    const told = text.imported(file.name, fixed(model.triangles.length, 0), await takeBody(bench, model, file.name.replace(/\.stl$/i, "")));
+    bench.app.say(told);
+    return { isOpen: true, text: told };
+  } catch (error) {
+    const { path = "", message: reason } = problem(error);
+    const message = text.refused(file.name, strings.errors.document(path, reason));
+    bench.app.say(message);
+    return { isOpen: false, text: message };
+  }
+}
+
+/** Numbers by three. @param {ArrayLike<number>} list @returns {number[][]} */
+const threes = (list) => Array.from({ length: list.length / 3 }, (_, n) => [list[3 * n], list[3 * n + 1], list[3 * n + 2]]);
+
+/** Whether a file is meant to be an STL. @param {{name: string}} file */
+export const isStl = ({ name }) => /\.stl$/i.test(name);
