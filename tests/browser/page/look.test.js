@@ -112,6 +112,13 @@ onOnePage("on a desk", {
   "nothing is cut off or runs together at 1024 x 768": (page) => nothingIsLost(page, 1024, 768),
   "nothing is cut off or runs together at 700 x 800": (page) => nothingIsLost(page, 700, 800),
 
+  // On a tablet held upright a title ran into the workbenches and the commands beside it.
+  "a long title gives way": async (page) => {
+    await page.locator("#bar input[type=text]").fill("A block with a volume fillet, and a title that goes on");
+    await page.keyboard.press("Enter");
+    for (const width of [600, 768, 900, 1200]) await nothingIsLost(page, width, 800);
+  },
+
   "between 600 and 899 px the inspector comes on demand": async (page) => {
     await page.setViewportSize({ width: 760, height: 800 });
     await drawn(page);
