@@ -32,6 +32,14 @@ const csv = (points) => `x;y\n${points.map(([x, y]) => `${x.replace(".", ",")};$
 
 const POINTS = `${csv(ellipse(24, 20, 12))}\n\n${csv(ellipse(40, 50, 40))}\n`;
 
+/** What Chromium says of drawing in three dimensions without a graphics card. */
+const SOFTWARE = /GPU stall due to ReadPixels/;
+
+const CORNERS = ["0 0 0", "40 0 0", "0 30 0", "0 0 60"];
+const TETRAHEDRON = `solid own\n${[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+  .map((face) => `facet normal 0 0 0\nouter loop\n${face.map((k) => `vertex ${CORNERS[k]}\n`).join("")}endloop\nendfacet\n`)
+  .join("")}endsolid own\n`;
+
 /** @param {Page} page @param {string} name @param {string | Buffer} content */
 const choose = (page, name, content) =>
   page.locator("[data-file]").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(content) });
@@ -214,7 +222,19 @@ onOnePage("shapes from elsewhere", {
     await eventually(async () => assert.equal((await documentOf(page)).curves[1]?.name, "plate"));
     await page.waitForSelector("#status[data-verdict=verified]");
   },
-});
+
+  "an STL is opened as a boundary value problem with conditions at two ends, and what is none changes nothing": async (page) => {
+    const before = await documentOf(page);
+    await choose(page, "none.stl", "no solid at all");
+    await eventually(async () => assert.match(await status(page), /Could not open none\.stl: .*The open document is unchanged/s));
+    assert.deepEqual(await documentOf(page), before);
+    await choose(page, "own.stl", TETRAHEDRON);
+    await eventually(async () => assert.equal((await documentOf(page)).title, "own"));
+    const { kind, groups } = await documentOf(page);
+    assert.deepEqual([kind, groups.length], ["laplace", 2]);
+    await eventually(async () => assert.match(await status(page), /^Solved\s+4\s+triangles[^]*A first problem is set/));
+  },
+}, { allow: SOFTWARE });
 
 const random = Buffer.from(Array.from({ length: 3000 }, (_, i) => (i * 7919 + (i * i) % 251) % 256));
 

@@ -8,6 +8,7 @@ import { describe, describeCurves } from "../../../js/sentence.js";
 import { attribute, find, h, write } from "../dom.js";
 import { explain } from "../explain.js";
 import { curveName } from "../state/app.js";
+import { isCurves } from "../state/kind.js";
 import { lookedAt } from "../state/look.js";
 
 /** Milliseconds of rest before a result is spoken: what an edit says of itself comes first. */
@@ -26,7 +27,8 @@ export function createOutcome(app) {
   /** The sentence of what is shown, or null while it is on its way. */
   function sentence() {
     const { match, matched, problem } = results.value;
-    if (matched !== lookedAt(app) || match?.coarse) return null;
+    // A document of another kind may have been opened during the pause, and its workbench says what it shows.
+    if (!isCurves(store.document) || matched !== lookedAt(app) || match?.coarse) return null;
     return problem ? explain(store.document, problem) : match ? describe(match) : null;
   }
 

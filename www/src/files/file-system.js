@@ -23,6 +23,7 @@ const OPENED = {
   "image/svg+xml": [".svg"],
   "text/csv": [".csv"],
   "text/plain": [".txt"],
+  "model/stl": [".stl"],
 };
 const SAVED = { "application/json": [".json"] };
 

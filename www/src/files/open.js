@@ -95,6 +95,7 @@ function isDocument(raw) {
  * @returns {Promise<boolean>} whether it was opened
  */
 export async function openFile(app, file, handle = null) {
+  if (isStl(file)) return (await import("../laboratory/stl-document.js")).openStlDocument(app, file);
   let text;
   try {
     text = await file.text();
@@ -109,6 +110,9 @@ export async function openFile(app, file, handle = null) {
   if (opened && app.store.origin.file === name) void app.keeper.keep();
   return opened;
 }
+
+/** Whether a file is meant to be an STL. @param {{name: string}} file */
+export const isStl = ({ name }) => /\.stl$/i.test(name);
 
 /**
  * Says why something was not opened.

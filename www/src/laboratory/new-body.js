@@ -1,8 +1,9 @@
 /**
  * Bodies that share nothing with the one that is open: an STL of the person's own, and a named shape after one. They come with a first problem, in one edit.
  *
+ * @import { App } from "../state/app.js"
  * @import { Bench } from "./state.js"
- * @import { Model } from "./document.js"
+ * @import { LaboratoryDocument, Model } from "./document.js"
  */
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
@@ -25,12 +26,11 @@ const MOST_LETTERS = 200;
  * @throws {Error} where the kernel cannot read the body at all; then nothing has changed
  */
 export async function takeBody(bench, model, title) {
-  const { section: _section, ...document } = withModel(bench.now().document, model);
-  const boundary = await bench.app.kernel.boundary(/** @type {any} */ ({ ...document, groups: [] }));
+  const boundary = await boundaryOf(bench.app, bench.now().document, model);
   let told = "";
   bench.commit((now) => {
-    const first = firstProblem(now, model, boundary, title.slice(0, MOST_LETTERS));
-    told = first.told;
+    const first = firstProblem(now, model, boundary, title);
+    told = words.first.undo(first.told);
     return first.document;
   });
   bench.seeAnew();
@@ -38,23 +38,47 @@ export async function takeBody(bench, model, title) {
 }
 
 /**
- * Opens an STL. Whatever is wrong with it, the problem that was open stays.
+ * The boundary of a body, without conditions.
+ * @param {App} app
+ * @param {LaboratoryDocument} document that the body is to come into
+ * @param {Model} model
+ */
+export function boundaryOf(app, document, model) {
+  const { section: _section, ...others } = withModel(document, model);
+  return app.kernel.boundary(/** @type {any} */ ({ ...others, groups: [] }));
+}
+
+/**
+ * Reads an STL.
+ * @param {App} app
+ * @param {File} file
+ * @returns {Promise<{model: Model, title: string, told: (first: string) => string}>} its body, a title, and what is said of it with its first problem
+ * @throws {Error} where it is too large or no STL
+ */
+export async function readStl(app, file) {
+  const text = words.model;
+  if (file.size > MOST_BYTES) throw new Error(text.tooLarge(Math.round(file.size / 2 ** 20), MOST_BYTES >> 20));
+  const found = await app.kernel.readMesh(await file.arrayBuffer());
+  const model = { kind: "mesh", vertices: threes(found.vertices), triangles: threes(found.triangles) };
+  const title = file.name.replace(/\.stl$/i, "").slice(0, MOST_LETTERS);
+  return { model, title, told: (first) => text.imported(file.name, fixed(model.triangles.length, 0), first) };
+}
+
+/**
+ * Takes the body of an STL. Whatever is wrong with it, the problem that was open stays.
  * @param {Bench} bench
  * @param {File} file
  * @returns {Promise<{isOpen: boolean, text: string}>} what is said of it: the problem that it has now, or why it was refused
  */
 export async function openStl(bench, file) {
-  const text = words.model;
   try {
-    if (file.size > MOST_BYTES) throw new Error(text.tooLarge(Math.round(file.size / 2 ** 20), MOST_BYTES >> 20));
-    const found = await bench.app.kernel.readMesh(await file.arrayBuffer());
-    const model = { kind: "mesh", vertices: threes(found.vertices), triangles: threes(found.triangles) };
-    const told = text.imported(file.name, fixed(model.triangles.length, 0), await takeBody(bench, model, file.name.replace(/\.stl$/i, "")));
-    bench.app.say(told);
-    return { isOpen: true, text: told };
+    const { model, title, told } = await readStl(bench.app, file);
+    const text = told(await takeBody(bench, model, title));
+    bench.app.say(text);
+    return { isOpen: true, text };
   } catch (error) {
     const { path = "", message: reason } = problem(error);
-    const message = text.refused(file.name, strings.errors.document(path, reason));
+    const message = words.model.refused(file.name, strings.errors.document(path, reason));
     bench.app.say(message);
     return { isOpen: false, text: message };
   }
@@ -62,6 +86,3 @@ export async function openStl(bench, file) {
 
 /** Numbers by three. @param {ArrayLike<number>} list @returns {number[][]} */
 const threes = (list) => Array.from({ length: list.length / 3 }, (_, n) => [list[3 * n], list[3 * n + 1], list[3 * n + 2]]);
-
-/** Whether a file is meant to be an STL. @param {{name: string}} file */
-export const isStl = ({ name }) => /\.stl$/i.test(name);

@@ -75,8 +75,9 @@ export const words = {
       ["front end", "back end"],
       ["lower end", "upper end"],
     ],
-    two: (/** @type {string[][]} */ ends) => `A first problem is set: ${ends.map(([material, end]) => `${material} at the ${end}`).join(", ")}, everything else insulated. Undo brings the former body back.`,
-    one: (/** @type {string} */ material) => `A first problem is set: ${material} everywhere. Undo brings the former body back.`,
+    two: (/** @type {string[][]} */ ends) => `A first problem is set: ${ends.map(([material, end]) => `${material} at the ${end}`).join(", ")}, everything else insulated.`,
+    undo: (/** @type {string} */ told) => `${told} Undo brings the former body back.`,
+    one: (/** @type {string} */ material) => `A first problem is set: ${material} everywhere.`,
   },
 
   boundary: {
