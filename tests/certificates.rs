@@ -1,7 +1,7 @@
 //! What exact results certify, checked again by slow plain geometry; and that the optimum does not depend on how curves are drawn.
 
 use crate::support::pairs::Picture;
-use crate::support::seeded;
+use crate::support::{list, seeded};
 use directrix::document::{Diagnostic, GapKind, Model, Outcome, Solution, Solve, read_text};
 use directrix::matching::{Matching, OneToOne, Refine};
 use glam::{DVec2, dvec2};
@@ -9,10 +9,6 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::Path;
-
-fn list(points: &[DVec2]) -> Value {
-    points.iter().map(|p| json!(p.to_array())).collect()
-}
 
 fn document(curves: [&[DVec2]; 2], counts: [usize; 2], matching: &Value) -> Value {
     let curve = |points: &[DVec2]| json!({"degree": 3, "form": "periodic", "points": list(points)});

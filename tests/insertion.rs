@@ -1,7 +1,7 @@
 //! One-to-one pairs from end to end: on circles by closed form, on random shapes by a slow checker.
 
 use crate::support::pairs::Picture;
-use crate::support::seeded;
+use crate::support::{list, seeded};
 use directrix::document::{Diagnostic, Outcome, Solution, Solve, read_text};
 use directrix::matching::{Matching, OneToOne, RulingLine, round_to_40_bits};
 use glam::{DVec2, dvec2};
@@ -247,10 +247,6 @@ fn open_arc(radius: f64, half: f64, gap: f64, count: usize) -> Vec<DVec2> {
     let side = |radius: f64, k: usize| radius * DVec2::from_angle(angle(k));
     let outside = (0..count).map(|k| side(radius + half, k));
     outside.chain((0..count).rev().map(|k| side(radius - half, k))).collect()
-}
-
-fn list(points: &[DVec2]) -> Value {
-    points.iter().map(|p| json!(p.to_array())).collect()
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Solids end to end: closed forms, checks by a slow and independent reader, and documents that strain them.
 #![cfg(feature = "solid")]
 
-use crate::support::seeded;
+use crate::support::{list, seeded};
 use directrix::document::{
     Code, Json, Outcome, Solid, SolidColor, SolidJob, SolidOptions, Solution, Solve, insert_point, read_text,
     why_no_solid, write_text,
@@ -13,10 +13,6 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_6, PI, TAU};
 use std::rc::Rc;
-
-fn list(points: &[DVec2]) -> Value {
-    points.iter().map(|p| json!(p.to_array())).collect()
-}
 
 /// Control points whose cubic is a circle to about 1e-7: the vertices of a fine polygon just outside it, by the means of B-splines.
 fn circle(radius: f64, count: usize) -> Vec<DVec2> {

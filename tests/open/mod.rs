@@ -3,17 +3,13 @@
 mod paths;
 
 use crate::support::pairs::Picture;
-use crate::support::seeded;
+use crate::support::{list, seeded};
 use directrix::document::{Code, Diagnostic, Outcome, Solution, Solve, read_text};
 use directrix::matching::Totals;
 use glam::{DVec2, dvec2};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
-
-fn list(points: &[DVec2]) -> Value {
-    points.iter().map(|p| json!(p.to_array())).collect()
-}
 
 /// Two open curves through their control points, of degree 3.
 fn document(curves: [&[DVec2]; 2], counts: [usize; 2], matching: &Value) -> Value {

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "directrix";
 import { audit } from "../support/axe.js";
+import { SOFTWARE } from "../support/browser.js";
 import { openPage } from "./open.js";
 import { presetFile } from "./sharing.js";
 import { documentOf, eventually, field, middle, pick, spoken, status } from "./workbench.js";
@@ -11,8 +12,6 @@ import { documentOf, eventually, field, middle, pick, spoken, status } from "./w
  * @import { Page } from "playwright-core"
  */
 
-/** What Chromium says when it draws without a graphics card. */
-const SOFTWARE = /GPU stall due to ReadPixels/;
 const dx = await load();
 
 /** Waits until every check of the open body has run. @param {Page} page */

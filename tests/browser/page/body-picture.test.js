@@ -3,14 +3,12 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { PNG } from "pngjs";
 import { audit } from "../support/axe.js";
+import { SOFTWARE } from "../support/browser.js";
 import { manyCells } from "../support/many-cells.js";
 import { openPage } from "./open.js";
 import { documentOf, drag, eventually, field, middle, pick, spoken, status, uiOf } from "./workbench.js";
 
 /** @import { Page } from "playwright-core" */
-
-/** What Chromium says when it draws without a graphics card. */
-const SOFTWARE = /GPU stall due to ReadPixels/;
 
 /** @param {Page} page @param {string} name @param {number} value */
 const slide = (page, name, value) =>

@@ -3,6 +3,7 @@ import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { load } from "directrix";
 import { audit } from "../support/axe.js";
+import { SOFTWARE } from "../support/browser.js";
 import { openPage } from "./open.js";
 import { hashOf, presetFile } from "./sharing.js";
 import { documentOf, eventually, field, pick, spoken, status } from "./workbench.js";
@@ -11,9 +12,6 @@ import { documentOf, eventually, field, pick, spoken, status } from "./workbench
  * @import { Page } from "playwright-core"
  * @import { TestContext } from "node:test"
  */
-
-/** What Chromium says when it draws without a graphics card. */
-const SOFTWARE = /GPU stall due to ReadPixels/;
 
 /** @param {TestContext} t @param {string} preset @param {import("./open.js").Options} [options] */
 const open = (t, preset, options) => openPage(t, { allow: SOFTWARE, viewport: { width: 920, height: 560 }, hash: `#v=1&preset=hyperpatch-${preset}`, ...options });

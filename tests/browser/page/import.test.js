@@ -6,6 +6,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { audit } from "../support/axe.js";
+import { SOFTWARE } from "../support/browser.js";
 import { newDocument, PHONE } from "./drawing.js";
 import { idle } from "./idle.js";
 import { onOnePage } from "./one-page.js";
@@ -31,9 +32,6 @@ const ellipse = (count, rx, ry) =>
 const csv = (points) => `x;y\n${points.map(([x, y]) => `${x.replace(".", ",")};${y.replace(".", ",")}`).join("\n")}`;
 
 const POINTS = `${csv(ellipse(24, 20, 12))}\n\n${csv(ellipse(40, 50, 40))}\n`;
-
-/** What Chromium says of drawing in three dimensions without a graphics card. */
-const SOFTWARE = /GPU stall due to ReadPixels/;
 
 const CORNERS = ["0 0 0", "40 0 0", "0 30 0", "0 0 60"];
 const TETRAHEDRON = `solid own\n${[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]

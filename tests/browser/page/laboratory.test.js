@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { load } from "directrix";
 import { audit } from "../support/axe.js";
+import { SOFTWARE } from "../support/browser.js";
 import { onOnePage } from "./one-page.js";
 import { offered, share } from "./sharing.js";
 import { documentOf, drag, eventually, field, middle, pick, spoken, status } from "./workbench.js";
@@ -9,9 +10,6 @@ import { documentOf, drag, eventually, field, middle, pick, spoken, status } fro
 /** @import { Page } from "playwright-core" */
 
 const dx = await load();
-
-/** What Chromium says when it draws without a graphics card. */
-const SOFTWARE = /GPU stall due to ReadPixels/;
 
 /** Waits until the problem as it stands is solved, and its section has all its pixels. @param {Page} page */
 const solved = (page) => page.locator(".lab-stage[data-lab=fine]").waitFor({ state: "attached" });

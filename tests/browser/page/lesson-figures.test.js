@@ -1,6 +1,7 @@
 /** Figures of lessons that are not of curves: cells and bodies, parts and grids, boundary value problems. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { SOFTWARE } from "../support/browser.js";
 import { cell, control, first, goTo, lit, named, shows, term } from "./lesson.js";
 import { openPage } from "./open.js";
 import { documentOf, drag, eventually, field, middle, spoken } from "./workbench.js";
@@ -9,7 +10,7 @@ const [validity, corner, material, profiles, transform, overlaps, voxels, heat, 
 
 test("a cell by hand: what is summed at a place, what rides along when a coefficient moves, and J inside", async (t) => {
   // The workbench of bodies draws without a graphics card here, which the driver remarks on.
-  const page = await openPage(t, { allow: /GPU stall due to ReadPixels/ });
+  const page = await openPage(t, { allow: SOFTWARE });
   const value = (/** @type {string} */ name) => control(page, name).innerText();
   const slide = (/** @type {string} */ name, /** @type {string} */ to) => page.locator(`[data-slider=lesson-${name}]`).fill(to);
   await goTo(page, cell, 2);

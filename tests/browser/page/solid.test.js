@@ -11,6 +11,7 @@ import { labsOf, srgbOf } from "../../../www/src/space/colors.js";
 import { firstHit } from "../../../www/src/space/pick.js";
 import { triples } from "../../../www/src/space/vector.js";
 import { audit } from "../support/axe.js";
+import { SOFTWARE } from "../support/browser.js";
 import { screenshot } from "../support/screenshot.js";
 import { PHONE } from "./drawing.js";
 import { openExport } from "./exporting.js";
@@ -26,8 +27,6 @@ import { documentOf, drag, drawn, eventually, field, handle, middle, pick, spoke
  * @import { Point } from "../../../www/src/types.js"
  */
 
-/** What Chromium says when it draws without a graphics card. */
-const SOFTWARE = /GPU stall due to ReadPixels/;
 /** Rows of the mesh that the page asks for with 5 stages. */
 const ROWS = 25;
 

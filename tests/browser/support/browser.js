@@ -71,6 +71,9 @@ export async function withPage(browser, { allow, ...options }, test) {
   }
 }
 
+/** What Chromium says when it draws in three dimensions without a graphics card, which is no complaint. */
+export const SOFTWARE = /GPU stall due to ReadPixels/;
+
 /**
  * The complaints of a page from now on: a list that grows.
  *

@@ -90,7 +90,9 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
   const button = (/** @type {string} */ act, /** @type {string} */ look, /** @type {() => void} */ run) =>
     h("button", { type: "button", class: look, "data-import": act, onclick: run });
   const opening = button("open", "solid", () => void openNew());
-  const placing = [0, 1].map((k) => button(`place-${k}`, "outlined", () => put(places()[k])));
+  /** The curves that the buttons speak of. @type {number[]} */
+  let targets = [];
+  const placing = [0, 1].map((k) => button(`place-${k}`, "outlined", () => put(targets[k])));
   const inside = button("inside", "outlined", putInside);
   const hint = h("p", { class: "import-note", "data-import-hint": "" });
 
@@ -134,7 +136,7 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
   function toggle(index, on) {
     change(() => {
       chosen = chosen.filter((each) => each !== index);
-      // The one that was chosen first gives way to a third.
+      // Of too many the one that was chosen first gives way.
       if (on) chosen = [...chosen, index].slice(-MOST);
     }, on ? [index] : []);
   }
@@ -178,15 +180,18 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     }
   }
 
-  /** The chosen shapes with their curves, the smaller one first: it is the inner curve. */
+  /** The chosen shapes, the smallest first. */
+  function inOrder() {
+    return [...chosen].sort((a, b) => shapes[a].area - shapes[b].area);
+  }
+
+  /** The chosen shapes with their curves, from the innermost out. */
   function taken() {
-    return [...chosen]
-      .sort((a, b) => shapes[a].area - shapes[b].area)
-      .map((index) => {
-        const fitted = fits.get(index);
-        const curve = fitted && "curve" in fitted && !stale.has(index) ? fitted.curve : null;
-        return { shape: shapes[index], curve };
-      });
+    return inOrder().map((index) => {
+      const fitted = fits.get(index);
+      const curve = fitted && "curve" in fitted && !stale.has(index) ? fitted.curve : null;
+      return { shape: shapes[index], curve };
+    });
   }
 
   function render() {
@@ -226,8 +231,9 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     write(opening, words.open);
     opening.disabled = !ready;
     const isOne = ready && shown.length === 1;
+    targets = places();
     placing.forEach((each, k) => {
-      const index = places()[k];
+      const index = targets[k];
       each.hidden = index === undefined;
       write(each, index === undefined ? "" : document.curves[index] ? words.replace(curveName(document, index)) : words.add);
       each.disabled = !isOne;
@@ -250,8 +256,7 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
 
   /** The curve of earlier settings, so that the picture does not flicker. @param {number} k */
   function lastCurve(k) {
-    const index = [...chosen].sort((a, b) => shapes[a].area - shapes[b].area)[k];
-    const fitted = fits.get(index);
+    const fitted = fits.get(inOrder()[k]);
     return fitted && "curve" in fitted ? fitted.curve : null;
   }
 
@@ -289,14 +294,15 @@ export function showShapes(app, name, { shapes, skipped }, isList) {
     const { unit } = app.store.document;
     const all = taken().map(({ shape }) => shape);
     const isStack = isNest(all);
+    const last = Math.max(1, all.length - 1);
     // From the first material to the second: curve by curve through a stack, and else from all inner curves to the outer one.
     const graded = curves().map((curve, k) => {
-      const share = isStack ? k / Math.max(1, all.length - 1) : k === all.length - 1 ? 1 : 0;
+      const share = isStack ? k / last : Math.floor(k / last);
       return { ...curve, composition: [{ at: 0, mix: [1 - share, share] }] };
     });
-    const several = all.length > 2 ? { curves: graded, ...(isStack ? {} : { blend: { kind: "harmonic" } }) } : {};
+    const blend = all.length > 2 && !isStack ? { blend: { kind: "harmonic" } } : {};
     const title = name.replace(/\.\w{1,5}$/, "").slice(0, 200) || strings.untitled;
-    const raw = { directrix: 1, kind: "curves", title, unit, curves: curves(), matching: { method: "exact", oneToOne: true }, ...several };
+    const raw = { directrix: 1, kind: "curves", title, unit, curves: graded, matching: { method: "exact", oneToOne: true }, ...blend };
     if (await openDocument(app, raw, name, { edited: true })) {
       panel?.close();
       app.say(words.opened(title));

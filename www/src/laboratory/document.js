@@ -53,9 +53,13 @@ export const MOST = { lu: 2000, ssor: 8000 };
  */
 export async function completedLaboratory(kernel, raw) {
   await kernel.boundary(raw);
+  return /** @type {CurvesDocument} */ (/** @type {unknown} */ (withDefaults(raw)));
+}
+
+/** A document with what may be left out. @param {any} raw @returns {LaboratoryDocument} */
+export function withDefaults(raw) {
   const { title = "", unit = "mm", materials = MATERIALS, groups = [], solver = {} } = raw;
-  const whole = { ...raw, directrix: 1, kind: "laplace", title, unit, materials, groups, solver };
-  return /** @type {CurvesDocument} */ (/** @type {unknown} */ (whole));
+  return { ...raw, directrix: 1, kind: "laplace", title, unit, materials, groups, solver };
 }
 
 /** The open document as what it is while this workbench is on. @param {App} app */

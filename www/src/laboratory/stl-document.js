@@ -2,12 +2,11 @@
  * An STL that is opened as a file: a document of its own, with a first problem on its body.
  *
  * @import { App } from "../state/app.js"
- * @import { LaboratoryDocument } from "./document.js"
  */
 import { openDocument, refuse } from "../files/open.js";
 import { problem } from "../painter.js";
 import { strings } from "../strings.js";
-import { completedLaboratory } from "./document.js";
+import { withDefaults } from "./document.js";
 import { firstProblem } from "./first-problem.js";
 import { boundaryOf, readStl } from "./new-body.js";
 
@@ -20,8 +19,7 @@ export async function openStlDocument(app, file) {
   try {
     const { model, title, told } = await readStl(app, file);
     const { unit } = app.store.document;
-    const completed = await completedLaboratory(app.kernel, { directrix: 1, kind: "laplace", title, unit, model });
-    const bare = /** @type {LaboratoryDocument} */ (/** @type {unknown} */ (completed));
+    const bare = withDefaults({ title, unit, model });
     const first = firstProblem(bare, model, await boundaryOf(app, bare, model), title);
     if (!(await openDocument(app, first.document, file.name, { edited: true }))) return false;
     const text = told(first.told);
